@@ -1,0 +1,45 @@
+# How every library, program and test of the project is built: one set of warnings, all errors.
+
+add_library(ribalta_options INTERFACE)
+target_compile_options(
+    ribalta_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                              -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Werror)
+target_compile_definitions(
+    ribalta_options INTERFACE GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_XYZW_ONLY
+                              GLM_ENABLE_EXPERIMENTAL)
+target_include_directories(ribalta_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+if(RIBALTA_SANITIZE)
+    target_compile_options(ribalta_options INTERFACE -fsanitize=address,undefined
+                                                     -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(ribalta_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# ribalta_module(NAME SOURCES ... LINKS ... PRIVATE_LINKS ...): a static library ribalta_NAME
+# from sources in the current folder. LINKS are seen by whoever uses the module.
+function(ribalta_module NAME)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+    add_library(ribalta_${NAME} STATIC ${ARG_SOURCES})
+    target_link_libraries(
+        ribalta_${NAME}
+        PUBLIC glm::glm ${ARG_LINKS}
+        PRIVATE ribalta_options ${ARG_PRIVATE_LINKS})
+    target_include_directories(ribalta_${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+endfunction()
+
+# ribalta_test(NAME LABEL unit|gpu|images|corpus SOURCES ... LINKS ...): a GoogleTest program whose
+# cases CTest runs one by one.
+function(ribalta_test NAME)
+    cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINKS" ${ARGN})
+    add_executable(${NAME} ${ARG_SOURCES})
+    target_link_libraries(${NAME} PRIVATE ribalta_options GTest::gtest GTest::gtest_main
+                                          ${ARG_LINKS})
+    target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(
+        ${NAME} PRIVATE RIBALTA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                        RIBALTA_BINARY_DIR="${PROJECT_BINARY_DIR}")
+    gtest_discover_tests(
+        ${NAME}
+        TEST_PREFIX "${NAME}."
+        DISCOVERY_TIMEOUT 60
+        PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600)
+endfunction()

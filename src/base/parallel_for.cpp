@@ -1,0 +1,42 @@
+#include "base/parallel_for.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace ribalta {
+
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body) {
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr firstError;
+    std::mutex errorMutex;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++) {
+            try {
+                body(i);
+            } catch (...) {
+                const std::scoped_lock lock(errorMutex);
+                if (!firstError) {
+                    firstError = std::current_exception();
+                }
+                next = count;
+            }
+        }
+    };
+
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; i < std::min(cores, count); ++i) {
+        helpers.emplace_back(work);
+    }
+    work();
+    helpers.clear();  // joins
+    if (firstError) {
+        std::rethrow_exception(firstError);
+    }
+}
+
+}  // namespace ribalta

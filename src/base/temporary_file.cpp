@@ -1,0 +1,84 @@
+#include "base/temporary_file.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/error.h"
+
+namespace ribalta {
+namespace {
+
+[[noreturn]] void failed(const std::filesystem::path& target, const std::string& why) {
+    throw Error(ErrorKind::kJobFailed, {target.string(), ""}, "cannot be written: " + why);
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(target) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(target, ignored)) {
+        failed(target, "it is a folder; give a file name");
+    }
+    const std::string extension = target.extension().string();
+    std::string name = target.string();
+    name.resize(name.size() - extension.size());
+    name += ".XXXXXX" + extension;
+    const int file = mkstemps(name.data(), static_cast<int>(extension.size()));
+    if (file < 0) {
+        const std::string why = std::strerror(errno);
+        failed(target, why + (errno == ENOENT ? "; make the folder first" : ""));
+    }
+    // mkstemps makes the file private; an output gets the permissions any new file would have.
+    const mode_t mask = umask(0);
+    umask(mask);
+    fchmod(file, 0666 & ~mask);
+    close(file);
+    path_ = name;
+}
+
+TemporaryFile::~TemporaryFile() {
+    if (!committed_) {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+}
+
+void TemporaryFile::commit() {
+    const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) {
+        failed(target_, std::strerror(errno));
+    }
+    // A full disk may show only now.
+    const int synced = fsync(file);
+    const int why = errno;
+    close(file);
+    if (synced != 0 && why != EINVAL && why != EROFS) {
+        failed(target_, std::strerror(why));
+    }
+    std::error_code error;
+    std::filesystem::rename(path_, target_, error);
+    if (error) {
+        failed(target_, error.message());
+    }
+    committed_ = true;
+}
+
+void writeFileAtomically(const std::filesystem::path& target, std::string_view content) {
+    TemporaryFile temporary(target);
+    std::ofstream stream(temporary.path(), std::ios::binary);
+    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+    stream.close();
+    if (!stream) {
+        failed(target, std::strerror(errno));
+    }
+    temporary.commit();
+}
+
+}  // namespace ribalta

@@ -1,0 +1,30 @@
+// Pictures from files and from memory, through OpenImageIO, which is loaded on first use.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "base/error.h"
+#include "image/image.h"
+
+namespace ribalta {
+
+/// Largest picture that is decoded; a larger one is refused before memory is taken.
+struct ImageLimits {
+    int maxSide = 32768;                               ///< pixels
+    std::uint64_t maxPixels = std::uint64_t(1) << 28;  ///< width * height
+};
+
+/// Decodes a whole encoded picture (PNG, JPEG, WebP, EXR, HDR, ...; by its content, not its name).
+/// Throws Error(kBadInput) at `place` where it is broken, over the limits or of no known format.
+/// Safe to call from several threads at once.
+Image decodeImage(std::span<const std::byte> encoded, const Place& place,
+                  const ImageLimits& limits = {});
+
+/// Reads a picture with all its channels as floats: EXR as stored, others scaled to 0..1.
+/// Throws Error(kBadInput).
+FloatImage readFloatImage(const std::filesystem::path& path);
+
+}  // namespace ribalta

@@ -1,0 +1,26 @@
+// Haze: the air between the lamps and the camera, the same everywhere.
+#pragma once
+
+namespace ribalta {
+
+/// How haze turns light. cosAngle = 1 is straight on.
+struct PhaseFunction {
+    enum class Kind { kGibbons, kIsotropic, kHenyeyGreenstein, kCornetteShanks, kRayleigh };
+
+    Kind kind = Kind::kGibbons;
+    double g = 0.0;  ///< mean cosine, -1 < g < 1; Henyey-Greenstein and Cornette-Shanks only
+    /// Gibbons' factor K in K (1 + 9 cos^16(alpha / 2)); 1 / (8 pi) makes it integrate to one over
+    /// the sphere. The thesis uses it as a free constant.
+    double k = 0.0397887357729738;
+};
+
+struct Haze {
+    double scatteringPerMetre = 0.03;
+    double absorptionPerMetre = 0.0;
+    PhaseFunction phase;
+
+    double extinctionPerMetre() const { return scatteringPerMetre + absorptionPerMetre; }
+    bool isClear() const { return scatteringPerMetre <= 0.0 && absorptionPerMetre <= 0.0; }
+};
+
+}  // namespace ribalta

@@ -1,0 +1,19 @@
+// Node: one place in the scene's hierarchy.
+#pragma once
+
+#include <string>
+
+#include <glm/glm.hpp>
+
+namespace ribalta {
+
+/// Indices are into the Scene's own vectors; -1 is none.
+struct Node {
+    std::string name;
+    int parent = -1;  ///< stands before its children in Scene::nodes
+    glm::dmat4 parentFromLocal{1.0};
+    glm::dmat4 worldFromLocal{1.0};  ///< product up to the root; see placeNodes
+    int mesh = -1;
+};
+
+}  // namespace ribalta

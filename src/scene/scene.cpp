@@ -1,0 +1,77 @@
+#include "scene/scene.h"
+
+#include <cmath>
+
+namespace ribalta {
+
+Frame rigidFrame(const glm::dmat4& worldFromLocal) {
+    Frame frame;
+    frame.position = glm::dvec3(worldFromLocal[3]);
+    // Gram-Schmidt from the viewing axis: a sheared or mirrored node still aims where its -Z goes.
+    const glm::dvec3 back(worldFromLocal[2]);
+    const glm::dvec3 up(worldFromLocal[1]);
+    const glm::dvec3 right = glm::cross(up, back);
+    const double size = glm::length(up) * glm::length(back);
+    if (!(size > 0.0) || !(glm::length(right) > 1e-9 * size) || !std::isfinite(size)) {
+        return frame;
+    }
+    const glm::dvec3 z = glm::normalize(back);
+    const glm::dvec3 x = glm::normalize(right);
+    frame.worldFromLocal = glm::dmat3(x, glm::cross(z, x), z);
+    return frame;
+}
+
+Frame lookAt(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up) {
+    const glm::dvec3 z = glm::normalize(position - target);
+    const bool parallel = glm::length(glm::cross(up, z)) < 1e-6 * glm::length(up);
+    const glm::dvec3 hint = parallel ? glm::dvec3(0.0, 0.0, z.y > 0.0 ? -1.0 : 1.0) : up;
+    const glm::dvec3 x = glm::normalize(glm::cross(hint, z));
+    return {position, glm::dmat3(x, glm::cross(z, x), z)};
+}
+
+void placeNodes(Scene& scene) {
+    for (Node& node : scene.nodes) {
+        node.worldFromLocal =
+            node.parent < 0
+                ? node.parentFromLocal
+                : scene.nodes[std::size_t(node.parent)].worldFromLocal * node.parentFromLocal;
+    }
+    const auto frameOf = [&](int node) {
+        return rigidFrame(scene.nodes[std::size_t(node)].worldFromLocal);
+    };
+    for (Camera& camera : scene.cameras) {
+        if (camera.node >= 0) {
+            camera.frame = frameOf(camera.node);
+        }
+    }
+    for (SpotLight& lamp : scene.spotLights) {
+        if (lamp.node >= 0) {
+            lamp.frame = frameOf(lamp.node);
+        }
+    }
+    for (PointLight& lamp : scene.pointLights) {
+        if (lamp.node >= 0) {
+            lamp.position = frameOf(lamp.node).position;
+        }
+    }
+    for (DirectionalLight& lamp : scene.directionalLights) {
+        if (lamp.node >= 0) {
+            lamp.direction = frameOf(lamp.node).forward();
+        }
+    }
+}
+
+Bounds sceneBounds(const Scene& scene) {
+    Bounds bounds;
+    for (const Node& node : scene.nodes) {
+        if (node.mesh < 0) {
+            continue;
+        }
+        for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {
+            bounds.add(transformed(node.worldFromLocal, primitive.bounds));
+        }
+    }
+    return bounds;
+}
+
+}  // namespace ribalta
