@@ -1,0 +1,19 @@
+// The module's encoders: pictures to the bytes of a file, in memory, through OpenImageIO. They
+// throw std::runtime_error with a line for the user.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "image/image.h"
+
+namespace ribalta {
+
+/// 8 bits a channel, marked as sRGB.
+std::vector<unsigned char> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
+
+/// 32-bit float, ZIP, the channels under their own names.
+std::vector<unsigned char> encodeExr(const FloatImage& image);
+
+}  // namespace ribalta
