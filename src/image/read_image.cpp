@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/read_file.h"
+#include "image/essential_chunks.h"
 #include "image/image_codec.h"
 #include "image/image_format.h"
 
@@ -20,30 +21,38 @@ ImageFormat knownFormat(std::span<const std::byte> encoded, const Place& place) 
     return format;
 }
 
+// Decodes by one of the codec's two functions, with what is wrong as an Error.
+template <typename Result>
+Result decodeBy(std::string (*ImageCodec::*decode)(std::span<const std::byte>, ImageFormat,
+                                                   const ImageLimits&, Result&),
+                std::span<const std::byte> encoded, const Place& place, const ImageLimits& limits) {
+    const ImageFormat format = knownFormat(encoded, place);
+    const EssentialChunks essential = essentialChunks(encoded, format);
+    std::string wrong = essential.wrong;
+    Result result;
+    if (wrong.empty()) {
+        const std::span<const std::byte> whole =
+            essential.encoded.empty() ? encoded : std::span(essential.encoded);
+        wrong = (imageCodec().*decode)(whole, format, limits, result);
+    }
+    if (!wrong.empty()) {
+        throw Error(ErrorKind::kBadInput, place, wrong);
+    }
+    return result;
+}
+
 }  // namespace
 
 Image decodeImage(std::span<const std::byte> encoded, const Place& place,
                   const ImageLimits& limits) {
-    const ImageFormat format = knownFormat(encoded, place);
-    Image image;
-    const std::string wrong = imageCodec().decode(encoded, format, limits, image);
-    if (!wrong.empty()) {
-        throw Error(ErrorKind::kBadInput, place, wrong);
-    }
+    Image image = decodeBy(&ImageCodec::decode, encoded, place, limits);
     image.name = place.text();
     return image;
 }
 
 FloatImage readFloatImage(const std::filesystem::path& path) {
-    const Place place{path.string(), ""};
     const std::vector<std::byte> encoded = readFile(path);
-    const ImageFormat format = knownFormat(encoded, place);
-    FloatImage image;
-    const std::string wrong = imageCodec().decodeFloat(encoded, format, ImageLimits{}, image);
-    if (!wrong.empty()) {
-        throw Error(ErrorKind::kBadInput, place, wrong);
-    }
-    return image;
+    return decodeBy(&ImageCodec::decodeFloat, encoded, {path.string(), ""}, ImageLimits{});
 }
 
 }  // namespace ribalta
