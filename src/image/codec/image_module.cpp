@@ -65,9 +65,10 @@ std::string exr(const FloatImage& image, std::vector<unsigned char>& result) {
 
 extern "C" __attribute__((visibility("default"))) const ribalta::ImageCodec* ribaltaImageCodec() {
     static const ribalta::ImageCodec codec = [] {
-        // Callers decode several pictures at once, each on a thread of theirs.
+        // Callers decode several pictures at once, each on a thread of theirs. OpenEXR alone keeps
+        // its pool, one for the process and as wide as the machine: compressing a frame takes a
+        // second.
         OIIO::attribute("threads", 1);
-        OIIO::attribute("exr_threads", -1);
         return ribalta::ImageCodec{&ribalta::decode, &ribalta::decodeFloat, &ribalta::png,
                                    &ribalta::exr};
     }();
