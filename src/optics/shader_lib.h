@@ -1,0 +1,56 @@
+// The shaders' own mathematics (shaders/lib/*.glsl) as C++ in double precision: ribalta::shader::f
+// is the f of the .glsl. Nothing is written here; units and ranges stand there.
+//
+// The functions sit in an unnamed namespace, one private copy a translation unit: include this
+// header from .cpp files only, never from another header.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wkeyword-macro"
+#endif
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+namespace ribalta::shader {
+namespace {
+
+using glm::abs;
+using glm::clamp;
+using glm::cross;
+using glm::dot;
+using glm::exp;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::pow;
+using glm::sqrt;
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+
+// NOLINTBEGIN: GLSL's spelling
+#define float double
+#define OUT(T) T&
+// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it.
+// clang-format off
+#include "lib/phase_function.glsl"
+#include "lib/spot_light.glsl"
+#include "lib/haze.glsl"
+#include "lib/beam_radiance.glsl"
+#include "lib/beam_geometry.glsl"
+#include "lib/brdf.glsl"
+#include "lib/tonemap.glsl"
+// clang-format on
+#undef OUT
+#undef float
+// NOLINTEND
+
+}  // namespace
+}  // namespace ribalta::shader
+
+#pragma GCC diagnostic pop
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
