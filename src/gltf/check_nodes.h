@@ -1,0 +1,16 @@
+// Is the node hierarchy a forest? Without recursion, so that any depth is fine.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/report.h"
+
+namespace ribalta::gltf {
+
+/// Throws Error(kBadInput) where nodes contain each other in a circle. A node with several parents
+/// keeps the first; it is taken from the others' children, and from scenes' roots where it has a
+/// parent, and that is reported.
+void checkNodes(nlohmann::json& json, const Place& file, Report& report);
+
+}  // namespace ribalta::gltf

@@ -1,0 +1,237 @@
+// The rules of glTF 2.0 (section 5) and KHR_lights_punctual for what the import reads, as tables.
+#include <numbers>
+
+#include "gltf/json_rules.h"
+
+namespace ribalta::gltf {
+namespace {
+
+using Is = JsonRule::Is;
+using On = JsonRule::OnFault;
+
+constexpr double kPi = std::numbers::pi;
+// Brighter than any lamp by far, and products with it still fit single precision.
+constexpr double kMaxIntensity = 1e12;
+constexpr double kMaxEmission = 1e12;
+
+const JsonRule kName{.key = "name", .is = Is::kString, .onFault = On::kRepair};
+
+const JsonRule kAssetRules[] = {
+    {.key = "version", .is = Is::kString, .required = true},
+    {.key = "minVersion", .is = Is::kString},
+};
+const JsonRule kSceneRules[] = {kName, {.key = "nodes", .is = Is::kIndices, .into = "nodes"}};
+const JsonRule kNodeRules[] = {
+    kName,
+    {.key = "children", .is = Is::kIndices, .into = "nodes"},
+    {.key = "mesh", .is = Is::kIndex, .into = "meshes"},
+    {.key = "camera", .is = Is::kIndex, .into = "cameras"},
+    {.key = "matrix", .is = Is::kNumbers, .length = 16},
+    {.key = "translation", .is = Is::kNumbers, .length = 3},
+    {.key = "rotation", .is = Is::kNumbers, .length = 4},
+    {.key = "scale", .is = Is::kNumbers, .length = 3},
+};
+const JsonRule kPrimitiveRules[] = {
+    {.key = "attributes", .is = Is::kIndexMap, .required = true, .into = "accessors"},
+    {.key = "indices", .is = Is::kIndex, .into = "accessors"},
+    {.key = "material", .is = Is::kIndex, .onFault = On::kRepair, .into = "materials"},
+    {.key = "mode", .is = Is::kInteger, .values = {0, 1, 2, 3, 4, 5, 6}},
+};
+const JsonRule kMeshRules[] = {
+    kName,
+    {.key = "primitives", .is = Is::kObjects, .required = true, .members = kPrimitiveRules},
+};
+const JsonRule kSparseIndexRules[] = {
+    {.key = "bufferView", .is = Is::kIndex, .required = true, .into = "bufferViews"},
+    {.key = "byteOffset", .is = Is::kInteger, .low = 0},
+    {.key = "componentType", .is = Is::kInteger, .required = true, .values = {5121, 5123, 5125}},
+};
+const JsonRule kSparseValueRules[] = {
+    {.key = "bufferView", .is = Is::kIndex, .required = true, .into = "bufferViews"},
+    {.key = "byteOffset", .is = Is::kInteger, .low = 0},
+};
+const JsonRule kSparseRules[] = {
+    {.key = "count", .is = Is::kInteger, .required = true, .low = 1},
+    {.key = "indices", .is = Is::kObject, .required = true, .members = kSparseIndexRules},
+    {.key = "values", .is = Is::kObject, .required = true, .members = kSparseValueRules},
+};
+const JsonRule kAccessorRules[] = {
+    {.key = "bufferView", .is = Is::kIndex, .into = "bufferViews"},
+    {.key = "byteOffset", .is = Is::kInteger, .low = 0},
+    {.key = "componentType",
+     .is = Is::kInteger,
+     .required = true,
+     .values = {5120, 5121, 5122, 5123, 5125, 5126}},
+    {.key = "count", .is = Is::kInteger, .required = true, .low = 1},
+    {.key = "type",
+     .is = Is::kString,
+     .required = true,
+     .words = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"}},
+    {.key = "normalized", .is = Is::kBool, .onFault = On::kRepair},
+    {.key = "sparse", .is = Is::kObject, .members = kSparseRules},
+};
+const JsonRule kBufferRules[] = {
+    {.key = "uri", .is = Is::kString},
+    {.key = "byteLength", .is = Is::kInteger, .required = true, .low = 1},
+};
+const JsonRule kBufferViewRules[] = {
+    {.key = "buffer", .is = Is::kIndex, .required = true, .into = "buffers"},
+    {.key = "byteOffset", .is = Is::kInteger, .low = 0},
+    {.key = "byteLength", .is = Is::kInteger, .required = true, .low = 1},
+    {.key = "byteStride", .is = Is::kInteger, .low = 4, .high = 252},
+};
+
+const JsonRule kTextureRules[] = {
+    {.key = "index", .is = Is::kIndex, .required = true, .into = "textures"},
+    {.key = "texCoord", .is = Is::kInteger, .low = 0, .high = 1000},
+    {.key = "scale", .is = Is::kNumber, .onFault = On::kRepair, .low = -1e6, .high = 1e6},
+    {.key = "strength", .is = Is::kNumber, .onFault = On::kRepair, .low = 0, .high = 1},
+};
+JsonRule textureSlot(std::string_view key) {
+    return {.key = key, .is = Is::kObject, .onFault = On::kRepair, .members = kTextureRules};
+}
+JsonRule unitNumber(std::string_view key) {
+    return {.key = key, .is = Is::kNumber, .onFault = On::kRepair, .low = 0, .high = 1};
+}
+JsonRule unitNumbers(std::string_view key, std::size_t length) {
+    return {.key = key,
+            .is = Is::kNumbers,
+            .onFault = On::kRepair,
+            .low = 0,
+            .high = 1,
+            .length = length};
+}
+const JsonRule kMetallicRoughnessRules[] = {
+    unitNumbers("baseColorFactor", 4),       unitNumber("metallicFactor"),
+    unitNumber("roughnessFactor"),           textureSlot("baseColorTexture"),
+    textureSlot("metallicRoughnessTexture"),
+};
+const JsonRule kEmissiveStrengthRules[] = {
+    {.key = "emissiveStrength",
+     .is = Is::kNumber,
+     .onFault = On::kRepair,
+     .low = 0,
+     .high = kMaxEmission},
+};
+const JsonRule kMaterialExtensionRules[] = {
+    {.key = "KHR_materials_emissive_strength",
+     .is = Is::kObject,
+     .onFault = On::kRepair,
+     .members = kEmissiveStrengthRules},
+    {.key = "KHR_materials_unlit", .is = Is::kObject, .onFault = On::kRepair},
+};
+const JsonRule kMaterialRules[] = {
+    kName,
+    {.key = "pbrMetallicRoughness",
+     .is = Is::kObject,
+     .onFault = On::kRepair,
+     .members = kMetallicRoughnessRules},
+    textureSlot("normalTexture"),
+    textureSlot("occlusionTexture"),
+    textureSlot("emissiveTexture"),
+    unitNumbers("emissiveFactor", 3),
+    {.key = "alphaMode",
+     .is = Is::kString,
+     .onFault = On::kRepair,
+     .words = {"OPAQUE", "MASK", "BLEND"}},
+    {.key = "alphaCutoff", .is = Is::kNumber, .onFault = On::kRepair, .low = 0, .high = 1e6},
+    {.key = "doubleSided", .is = Is::kBool, .onFault = On::kRepair},
+    {.key = "extensions",
+     .is = Is::kObject,
+     .onFault = On::kRepair,
+     .members = kMaterialExtensionRules},
+};
+
+const JsonRule kTextureObjectRules[] = {
+    kName,
+    {.key = "sampler", .is = Is::kIndex, .onFault = On::kRepair, .into = "samplers"},
+    {.key = "source", .is = Is::kIndex, .onFault = On::kRepair, .into = "images"},
+};
+const std::vector<int> kWrap = {33071, 33648, 10497};
+const JsonRule kSamplerRules[] = {
+    kName,
+    {.key = "magFilter", .is = Is::kInteger, .onFault = On::kRepair, .values = {9728, 9729}},
+    {.key = "minFilter",
+     .is = Is::kInteger,
+     .onFault = On::kRepair,
+     .values = {9728, 9729, 9984, 9985, 9986, 9987}},
+    {.key = "wrapS", .is = Is::kInteger, .onFault = On::kRepair, .values = kWrap},
+    {.key = "wrapT", .is = Is::kInteger, .onFault = On::kRepair, .values = kWrap},
+};
+const JsonRule kImageRules[] = {
+    kName,
+    {.key = "uri", .is = Is::kString, .onFault = On::kRepair},
+    {.key = "bufferView", .is = Is::kIndex, .onFault = On::kRepair, .into = "bufferViews"},
+    {.key = "mimeType", .is = Is::kString, .onFault = On::kRepair},
+};
+
+const JsonRule kPerspectiveRules[] = {
+    {.key = "aspectRatio", .is = Is::kNumber, .onFault = On::kRepair},
+    {.key = "yfov", .is = Is::kNumber, .onFault = On::kRepair, .required = true},
+    {.key = "zfar", .is = Is::kNumber, .onFault = On::kRepair},
+    {.key = "znear", .is = Is::kNumber, .onFault = On::kRepair, .required = true},
+};
+const JsonRule kOrthographicRules[] = {
+    {.key = "xmag", .is = Is::kNumber, .onFault = On::kRepair, .required = true},
+    {.key = "ymag", .is = Is::kNumber, .onFault = On::kRepair, .required = true},
+    {.key = "zfar", .is = Is::kNumber, .onFault = On::kRepair, .required = true},
+    {.key = "znear", .is = Is::kNumber, .onFault = On::kRepair, .required = true},
+};
+const JsonRule kCameraRules[] = {
+    kName,
+    {.key = "type", .is = Is::kString, .required = true, .words = {"perspective", "orthographic"}},
+    {.key = "perspective", .is = Is::kObject, .members = kPerspectiveRules},
+    {.key = "orthographic", .is = Is::kObject, .members = kOrthographicRules},
+};
+
+const JsonRule kGltfRules[] = {
+    {.key = "asset", .is = Is::kObject, .required = true, .members = kAssetRules},
+    {.key = "extensionsUsed", .is = Is::kStrings, .onFault = On::kRepair},
+    {.key = "extensionsRequired", .is = Is::kStrings},
+    {.key = "scene", .is = Is::kIndex, .onFault = On::kRepair, .into = "scenes"},
+    {.key = "scenes", .is = Is::kObjects, .members = kSceneRules},
+    {.key = "nodes", .is = Is::kObjects, .members = kNodeRules},
+    {.key = "meshes", .is = Is::kObjects, .members = kMeshRules},
+    {.key = "accessors", .is = Is::kObjects, .members = kAccessorRules},
+    {.key = "bufferViews", .is = Is::kObjects, .members = kBufferViewRules},
+    {.key = "buffers", .is = Is::kObjects, .members = kBufferRules},
+    {.key = "materials", .is = Is::kObjects, .members = kMaterialRules},
+    {.key = "textures", .is = Is::kObjects, .members = kTextureObjectRules},
+    {.key = "samplers", .is = Is::kObjects, .members = kSamplerRules},
+    {.key = "images", .is = Is::kObjects, .members = kImageRules},
+    {.key = "cameras", .is = Is::kObjects, .members = kCameraRules},
+};
+
+const JsonRule kSpotRules[] = {
+    {.key = "innerConeAngle", .is = Is::kNumber, .onFault = On::kRepair, .low = 0, .high = kPi / 2},
+    {.key = "outerConeAngle", .is = Is::kNumber, .onFault = On::kRepair, .low = 0, .high = kPi / 2},
+};
+const JsonRule kLightRules[] = {
+    kName,
+    {.key = "type", .is = Is::kString, .required = true, .words = {"directional", "point", "spot"}},
+    {.key = "color",
+     .is = Is::kNumbers,
+     .onFault = On::kRepair,
+     .low = 0,
+     .high = 1e6,
+     .length = 3},
+    {.key = "intensity",
+     .is = Is::kNumber,
+     .onFault = On::kRepair,
+     .low = 0,
+     .high = kMaxIntensity},
+    {.key = "range", .is = Is::kNumber, .onFault = On::kRepair},
+    {.key = "spot", .is = Is::kObject, .onFault = On::kRepair, .members = kSpotRules},
+};
+
+}  // namespace
+
+std::span<const JsonRule> gltfRules() {
+    return kGltfRules;
+}
+
+std::span<const JsonRule> lightRules() {
+    return kLightRules;
+}
+
+}  // namespace ribalta::gltf

@@ -1,0 +1,22 @@
+#include "gltf/import.h"
+
+namespace ribalta::gltf {
+
+const nlohmann::json& member(const nlohmann::json& object, const char* key) {
+    static const nlohmann::json kNull;
+    if (!object.is_object()) {
+        return kNull;
+    }
+    const auto found = object.find(key);
+    return found == object.end() ? kNull : *found;
+}
+
+const nlohmann::json& element(const nlohmann::json& json, const char* array, std::size_t index) {
+    return member(json, array).at(index);
+}
+
+const nlohmann::json& extension(const nlohmann::json& object, const char* name) {
+    return member(member(object, "extensions"), name);
+}
+
+}  // namespace ribalta::gltf

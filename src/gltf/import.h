@@ -1,0 +1,43 @@
+// Import: what the steps of one loadGltf hand to each other.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <tiny_gltf.h>
+
+#include "base/error.h"
+
+namespace ribalta::gltf {
+
+/// The bytes behind one of the file's buffers; empty where the file gives none, as the fallback
+/// buffers of EXT_meshopt_compression.
+struct Buffer {
+    std::vector<std::byte> owned;      ///< what was read or decoded for it
+    std::span<const std::byte> bytes;  ///< as long as its byteLength, or empty
+};
+
+/// One glTF on its way into a Scene. `json` is checked and mended: types and indices in it are
+/// right. `model` is the same document, typed, with the same indices; it has neither buffers,
+/// images, animations, skins nor extensions and extras, which are read from `json`.
+struct Import {
+    Place file;                    ///< the file, pointer empty
+    std::filesystem::path folder;  ///< what relative URIs are relative to
+    nlohmann::json json;
+    tinygltf::Model model;
+    std::vector<Buffer> buffers;
+};
+
+/// The element `index` of a top-level array, or of nothing, as an object to look things up in.
+const nlohmann::json& element(const nlohmann::json& json, const char* array, std::size_t index);
+
+/// The member `key` of the object, or null where it has none.
+const nlohmann::json& member(const nlohmann::json& object, const char* key);
+
+/// The object `extensions/name` of an object, or null.
+const nlohmann::json& extension(const nlohmann::json& object, const char* name);
+
+}  // namespace ribalta::gltf

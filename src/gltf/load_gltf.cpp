@@ -1,0 +1,171 @@
+#include "gltf/load_gltf.h"
+
+#include <chrono>
+#include <utility>
+
+#include "base/read_file.h"
+#include "gltf/check_extensions.h"
+#include "gltf/check_json.h"
+#include "gltf/check_nodes.h"
+#include "gltf/import.h"
+#include "gltf/parse_json.h"
+#include "gltf/parse_model.h"
+#include "gltf/read_buffers.h"
+#include "gltf/read_camera.h"
+#include "gltf/read_container.h"
+#include "gltf/read_images.h"
+#include "gltf/read_light.h"
+#include "gltf/read_material.h"
+#include "gltf/read_mesh.h"
+#include "gltf/read_nodes.h"
+#include "gltf/report_unread.h"
+
+namespace ribalta {
+namespace {
+
+using namespace gltf;
+
+// Wall times of the steps, one after the other.
+class Stopwatch {
+  public:
+    explicit Stopwatch(std::vector<LoadedScene::Stage>& stages) : stages_(stages) {}
+
+    void lap(const char* stage) {
+        const auto now = std::chrono::steady_clock::now();
+        stages_.push_back({stage, std::chrono::duration<double, std::milli>(now - last_).count()});
+        last_ = now;
+    }
+
+  private:
+    std::vector<LoadedScene::Stage>& stages_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void listExtensions(const nlohmann::json& json, LoadedScene& loaded) {
+    for (const nlohmann::json& name : member(json, "extensionsUsed")) {
+        loaded.extensionsUsed.push_back(name.get<std::string>());
+        if (!isSupported(loaded.extensionsUsed.back())) {
+            loaded.extensionsIgnored.push_back(loaded.extensionsUsed.back());
+        }
+    }
+}
+
+// The meshes that the nodes use, in the file's order; the nodes' indices become the scene's.
+std::vector<std::size_t> chooseMeshes(std::vector<Node>& nodes, std::size_t meshCount) {
+    std::vector<int> sceneMesh(meshCount, -1);
+    for (const Node& node : nodes) {
+        if (node.mesh >= 0) {
+            sceneMesh[std::size_t(node.mesh)] = 0;
+        }
+    }
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < meshCount; ++i) {
+        if (sceneMesh[i] == 0) {
+            sceneMesh[i] = int(chosen.size());
+            chosen.push_back(i);
+        }
+    }
+    for (Node& node : nodes) {
+        if (node.mesh >= 0) {
+            node.mesh = sceneMesh[std::size_t(node.mesh)];
+        }
+    }
+    return chosen;
+}
+
+void loadMeshes(const Import& import, Scene& scene, Report& report) {
+    NormalMapUvs normalMapUvs;
+    for (std::size_t i = 0; i < import.model.materials.size(); ++i) {
+        normalMapUvs.push_back(normalMapUvOf(import, i));
+    }
+    normalMapUvs.push_back(-1);
+    const std::vector<std::size_t> chosen = chooseMeshes(scene.nodes, import.model.meshes.size());
+    scene.meshes = readMeshes(import, chosen, normalMapUvs, report);
+}
+
+// The materials that the meshes use, in the file's order; the primitives' indices become the
+// scene's.
+void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, Report& report) {
+    std::vector<int> sceneMaterial(import.model.materials.size(), -1);
+    const auto forEachUse = [&](const auto& body) {
+        for (Mesh& mesh : scene.meshes) {
+            for (Primitive& primitive : mesh.primitives) {
+                if (primitive.material >= 0) {
+                    body(primitive.material);
+                }
+            }
+        }
+    };
+    forEachUse([&](int material) { sceneMaterial[std::size_t(material)] = 0; });
+    for (std::size_t i = 0; i < sceneMaterial.size(); ++i) {
+        if (sceneMaterial[i] == 0) {
+            sceneMaterial[i] = int(scene.materials.size());
+            scene.materials.push_back(readMaterial(import, i, textures, report));
+        }
+    }
+    forEachUse([&](int& material) { material = sceneMaterial[std::size_t(material)]; });
+}
+
+void loadCamerasAndLamps(const Import& import, const std::vector<std::size_t>& gltfNodes,
+                         ImageTable& images, TextureTable& textures, Scene& scene, Report& report) {
+    for (std::size_t i = 0; i < gltfNodes.size(); ++i) {
+        const tinygltf::Node& source = import.model.nodes[gltfNodes[i]];
+        if (source.camera >= 0) {
+            const auto index = std::size_t(source.camera);
+            Camera camera = readCamera(import, index, report);
+            const std::string& own = import.model.cameras[index].name;
+            camera.name = !source.name.empty() ? source.name
+                          : !own.empty()       ? own
+                                               : "camera_" + std::to_string(scene.cameras.size());
+            camera.node = int(i);
+            scene.cameras.push_back(std::move(camera));
+        }
+        addLamp(import, gltfNodes[i], int(i), images, textures, scene, report);
+    }
+}
+
+}  // namespace
+
+LoadedScene loadGltf(const std::filesystem::path& path) {
+    LoadedScene loaded;
+    Scene& scene = loaded.scene;
+    Report& report = loaded.report;
+    Stopwatch watch(loaded.stages);
+
+    Import import;
+    import.file = {path.string(), ""};
+    import.folder = path.parent_path();
+    const Container container = readContainer(readFile(path), import.file);
+    watch.lap("read");
+
+    import.json = parseJson(container.json, import.file);
+    checkVersionAndExtensions(import.json, import.file);
+    checkJson(import.json, import.file, report);
+    checkNodes(import.json, import.file, report);
+    listExtensions(import.json, loaded);
+    import.model = parseModel(import.json, import.file);
+    reportUnread(import, report);
+    NodeList list = readNodes(import, report);
+    scene.name = std::move(list.sceneName);
+    scene.nodes = std::move(list.nodes);
+    watch.lap("parse");
+
+    import.buffers = readBuffers(import.json, import.file, import.folder, container.bin);
+    watch.lap("buffers");
+
+    loadMeshes(import, scene, report);
+    watch.lap("meshes");
+
+    ImageTable images(import);
+    TextureTable textures(import, images);
+    loadMaterials(import, textures, scene, report);
+    loadCamerasAndLamps(import, list.gltfNodes, images, textures, scene, report);
+    scene.textures = textures.textures();
+    scene.images = images.decode(report);
+    watch.lap("images");
+
+    placeNodes(scene);
+    return loaded;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,55 @@
+#include "gltf/make_topology.h"
+
+#include <cstddef>
+
+namespace ribalta::gltf {
+namespace {
+
+enum Mode : int { kPoints, kLines, kLineLoop, kLineStrip, kTriangles, kTriangleStrip, kFan };
+
+}  // namespace
+
+Topology topologyOf(int mode) {
+    return mode == kPoints     ? Topology::kPoints
+           : mode < kTriangles ? Topology::kLines
+                               : Topology::kTriangles;
+}
+
+std::vector<std::uint32_t> unrollIndices(int mode, std::vector<std::uint32_t> indices) {
+    const std::size_t count = indices.size();
+    std::vector<std::uint32_t> result;
+    switch (mode) {
+        case kLines:
+            indices.resize(count / 2 * 2);
+            return indices;
+        case kTriangles:
+            indices.resize(count / 3 * 3);
+            return indices;
+        case kLineLoop:
+        case kLineStrip:
+            for (std::size_t i = 1; i < count; ++i) {
+                result.insert(result.end(), {indices[i - 1], indices[i]});
+            }
+            if (mode == kLineLoop && count > 1) {
+                result.insert(result.end(), {indices[count - 1], indices[0]});
+            }
+            return result;
+        case kTriangleStrip:
+            for (std::size_t i = 2; i < count; ++i) {
+                // Every other triangle of a strip is wound the other way.
+                const std::size_t odd = i % 2;
+                result.insert(result.end(),
+                              {indices[i - 2], indices[i - 1 + odd], indices[i - odd]});
+            }
+            return result;
+        case kFan:
+            for (std::size_t i = 2; i < count; ++i) {
+                result.insert(result.end(), {indices[i - 1], indices[i], indices[0]});
+            }
+            return result;
+        default:
+            return indices;
+    }
+}
+
+}  // namespace ribalta::gltf

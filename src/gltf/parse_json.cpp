@@ -1,0 +1,74 @@
+#include "gltf/parse_json.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "gltf/bad_input.h"
+
+namespace ribalta::gltf {
+namespace {
+
+Place lineOf(std::string_view text, std::size_t offset, const Place& file) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t lineStart = before.rfind('\n');
+    const std::size_t column =
+        before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
+    return {file.file, "line " + std::to_string(line) + ", column " + std::to_string(column)};
+}
+
+// Outside strings only brackets nest; a syntax error elsewhere is found by the parser.
+void checkDepth(std::string_view text, const Place& file) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (inString) {
+            if (c == '\\') {
+                ++i;
+            } else if (c == '"') {
+                inString = false;
+            }
+        } else if (c == '"') {
+            inString = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kMaxJsonDepth) {
+                badInput(lineOf(text, i, file), "JSON is nested deeper than " +
+                                                    std::to_string(kMaxJsonDepth) +
+                                                    " levels; remove such extras");
+            }
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+}
+
+// The parser's message without its own name and position, which lineOf says better.
+std::string parserReason(const nlohmann::json::exception& error) {
+    const std::string text = error.what();
+    const std::size_t start = text.rfind("] ");
+    const std::size_t colon = text.find(": ", start == std::string::npos ? 0 : start);
+    return colon == std::string::npos ? text : text.substr(colon + 2);
+}
+
+}  // namespace
+
+nlohmann::json parseJson(std::string_view text, const Place& file) {
+    checkDepth(text, file);
+    nlohmann::json json;
+    try {
+        json = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::parse_error& error) {
+        badInput(lineOf(text, error.byte, file),
+                 "is not valid JSON: " + parserReason(error) + "; export the file again");
+    } catch (const nlohmann::json::exception& error) {
+        badInput(file, "is not valid JSON: " + parserReason(error) + "; export the file again");
+    }
+    if (!json.is_object()) {
+        badInput(file, "holds JSON, but no object; expected a glTF");
+    }
+    return json;
+}
+
+}  // namespace ribalta::gltf

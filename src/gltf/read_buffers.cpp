@@ -1,0 +1,80 @@
+#include "gltf/read_buffers.h"
+
+#include <cstdint>
+#include <string>
+
+#include "base/read_file.h"
+#include "gltf/bad_input.h"
+#include "gltf/read_uri.h"
+
+namespace ribalta::gltf {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::byte> readBufferFile(const std::string& uri, const std::filesystem::path& folder,
+                                      const Place& place) {
+    const std::filesystem::path path = resolveUri(uri, folder, place);
+    try {
+        return readFile(path);
+    } catch (const Error& error) {
+        badInput(place, "buffer cannot be read: " + std::string(error.what()));
+    }
+}
+
+Buffer readBuffer(const json& buffer, const Place& place, const std::filesystem::path& folder,
+                  std::optional<std::span<const std::byte>> bin) {
+    Buffer result;
+    const json& uri = member(buffer, "uri");
+    if (uri.is_string()) {
+        const auto& text = uri.get_ref<const std::string&>();
+        result.owned = isDataUri(text) ? decodeDataUri(text, place.at("uri"))
+                                       : readBufferFile(text, folder, place.at("uri"));
+        result.bytes = result.owned;
+    } else if (bin) {
+        result.bytes = *bin;
+    } else {
+        return result;
+    }
+    const auto length = buffer["byteLength"].get<std::uint64_t>();
+    if (result.bytes.size() < length) {
+        badInput(place, "has " + std::to_string(result.bytes.size()) +
+                            " bytes, its byteLength is " + std::to_string(length) +
+                            "; export or copy the file again");
+    }
+    result.bytes = result.bytes.first(length);
+    return result;
+}
+
+}  // namespace
+
+std::vector<Buffer> readBuffers(const json& root, const Place& file,
+                                const std::filesystem::path& folder,
+                                std::optional<std::span<const std::byte>> bin) {
+    const json& list = member(root, "buffers");
+    std::vector<Buffer> buffers;
+    buffers.reserve(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        buffers.push_back(
+            readBuffer(list[i], file.at("buffers").at(i), folder, i == 0 ? bin : std::nullopt));
+    }
+    return buffers;
+}
+
+std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferView) {
+    const tinygltf::BufferView& view = import.model.bufferViews.at(bufferView);
+    const std::span<const std::byte> bytes = import.buffers.at(std::size_t(view.buffer)).bytes;
+    const Place place = import.file.at("bufferViews").at(bufferView);
+    if (bytes.empty()) {
+        badInput(place, "lies in buffer " + std::to_string(view.buffer) +
+                            ", for which the file has no data");
+    }
+    if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset) {
+        badInput(place, "ends at byte " + std::to_string(view.byteOffset) + " + " +
+                            std::to_string(view.byteLength) + " of a buffer of " +
+                            std::to_string(bytes.size()) + " bytes; export the file again");
+    }
+    return bytes.subspan(view.byteOffset, view.byteLength);
+}
+
+}  // namespace ribalta::gltf

@@ -1,0 +1,26 @@
+// The bytes behind buffers and buffer views, bounds-checked.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "gltf/import.h"
+
+namespace ribalta::gltf {
+
+/// Reads or decodes every buffer; `bin` is the GLB's binary chunk and must outlive the result.
+/// Throws Error(kBadInput) where one is missing or shorter than its byteLength.
+std::vector<Buffer> readBuffers(const nlohmann::json& json, const Place& file,
+                                const std::filesystem::path& folder,
+                                std::optional<std::span<const std::byte>> bin);
+
+/// The bytes of a buffer view. Throws Error(kBadInput) where it reaches past its buffer or the file
+/// gives that buffer no data.
+std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferView);
+
+}  // namespace ribalta::gltf

@@ -1,0 +1,127 @@
+#include "gltf/read_images.h"
+
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "base/parallel_for.h"
+#include "base/progress.h"
+#include "base/read_file.h"
+#include "gltf/bad_input.h"
+#include "gltf/read_buffers.h"
+#include "gltf/read_uri.h"
+#include "image/read_image.h"
+
+namespace ribalta::gltf {
+namespace {
+
+using nlohmann::json;
+
+// A file is the same file whatever name it is called by; empty where there is none.
+std::string identityOf(const std::filesystem::path& path) {
+    std::error_code failed;
+    const auto canonical = std::filesystem::canonical(path, failed);
+    return failed ? std::string() : canonical.string();
+}
+
+}  // namespace
+
+int ImageTable::use(const std::string& key, Request request) {
+    const auto [entry, isNew] = known_.emplace(key, int(requests_.size()));
+    if (isNew) {
+        requests_.push_back(std::move(request));
+    }
+    return entry->second;
+}
+
+int ImageTable::useImage(std::size_t image) {
+    const json& source = element(import_.json, "images", image);
+    const Place place = import_.file.at("images").at(image);
+    const json& uri = member(source, "uri");
+    const json& name = member(source, "name");
+    Request request{place, name.is_string() ? name.get<std::string>() : std::string(), int(image),
+                    ""};
+    std::string key = "image " + std::to_string(image);
+    if (uri.is_string() && !isDataUri(uri.get_ref<const std::string&>())) {
+        const auto& text = uri.get_ref<const std::string&>();
+        if (request.name.empty()) {
+            request.name = text;
+        }
+        try {
+            const std::string file = identityOf(resolveUri(text, import_.folder, place.at("uri")));
+            key = file.empty() ? key : file;
+        } catch (const Error&) {
+            // Found again, and reported, when it is decoded.
+        }
+    }
+    if (request.name.empty()) {
+        request.name = "image_" + std::to_string(image);
+    }
+    return use(key, std::move(request));
+}
+
+int ImageTable::useFile(const std::string& path, const Place& place) {
+    std::string key = "path " + path;
+    try {
+        const std::string file = identityOf(resolvePath(path, import_.folder, place));
+        key = file.empty() ? key : file;
+    } catch (const Error&) {
+        // Found again, and reported, when it is decoded.
+    }
+    return use(key, {place, path, -1, path});
+}
+
+Image ImageTable::decodeOne(const Request& request) const {
+    const auto decodeFile = [&](const std::filesystem::path& path, const Place& place) {
+        try {
+            return decodeImage(readFile(path), place);
+        } catch (const Error& error) {
+            // The picture's own path says more than where it is named; both are in the report.
+            badInput(place, error.place().file == place.file
+                                ? "\"" + request.name + "\": " + reasonOf(error)
+                                : std::string(error.what()));
+        }
+    };
+    if (request.image < 0) {
+        return decodeFile(resolvePath(request.path, import_.folder, request.place), request.place);
+    }
+    const json& source = element(import_.json, "images", std::size_t(request.image));
+    const json& uri = member(source, "uri");
+    const json& view = member(source, "bufferView");
+    if (uri.is_string()) {
+        const Place place = request.place.at("uri");
+        const auto& text = uri.get_ref<const std::string&>();
+        return isDataUri(text) ? decodeImage(decodeDataUri(text, place), request.place)
+                               : decodeFile(resolveUri(text, import_.folder, place), place);
+    }
+    if (view.is_null()) {
+        badInput(request.place, "has neither uri nor bufferView; export the file again");
+    }
+    return decodeImage(viewBytes(import_, view.get<std::size_t>()), request.place);
+}
+
+std::vector<Image> ImageTable::decode(Report& report) const {
+    std::vector<Image> images(requests_.size());
+    std::vector<std::optional<Error>> faults(requests_.size());
+    Progress progress("decoding images", requests_.size());
+    parallelFor(requests_.size(), [&](std::size_t i) {
+        try {
+            images[i] = decodeOne(requests_[i]);
+            images[i].name = requests_[i].name;
+        } catch (const Error& error) {
+            faults[i] = error;
+            images[i] = makeStandInImage(requests_[i].name);
+        }
+        progress.step();
+    });
+    for (const std::optional<Error>& fault : faults) {
+        if (fault) {
+            report.repaired(fault->place(),
+                            reasonOf(*fault) + "; a checkerboard is drawn in its place");
+        }
+    }
+    return images;
+}
+
+}  // namespace ribalta::gltf

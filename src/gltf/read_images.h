@@ -1,0 +1,47 @@
+// Images: which of the file's are needed, each once, and their decoding in parallel.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/report.h"
+#include "gltf/import.h"
+#include "image/image.h"
+
+namespace ribalta::gltf {
+
+/// Collects the images that something drawn asks for; the same file is decoded once.
+class ImageTable {
+  public:
+    explicit ImageTable(const Import& import) : import_(import) {}
+
+    /// Index into the scene's images of an image of the glTF.
+    int useImage(std::size_t image);
+    /// Index into the scene's images of a file beside the glTF, named at `place`; a plain path,
+    /// not a URI.
+    int useFile(const std::string& path, const Place& place);
+
+    /// Reads and decodes all that was asked for. One that is missing or broken becomes the visible
+    /// stand-in, and is reported.
+    std::vector<Image> decode(Report& report) const;
+
+  private:
+    struct Request {
+        Place place;
+        std::string name;
+        int image = -1;    // into the glTF's images, or
+        std::string path;  // a path beside the file
+    };
+
+    int use(const std::string& key, Request request);
+    Image decodeOne(const Request& request) const;
+
+    const Import& import_;
+    std::vector<Request> requests_;
+    std::map<std::string, int> known_;
+};
+
+}  // namespace ribalta::gltf

@@ -1,0 +1,234 @@
+#include "gltf/read_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "gltf/bad_input.h"
+
+namespace ribalta::gltf {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kExtension = "KHR_lights_punctual";
+
+// A lamp of the file: the light it is, the node it hangs on.
+struct Lamp {
+    const json& light;
+    Place lightPlace;
+    const json& node;
+    Place nodePlace;
+};
+
+// A custom property of a lamp: the light's own before its node's. Null where neither has it.
+struct Property {
+    const json& value;
+    Place place;
+};
+
+Property propertyOf(const Lamp& lamp, const char* key) {
+    const json& ofLight = member(member(lamp.light, "extras"), key);
+    if (!ofLight.is_null()) {
+        return {ofLight, lamp.lightPlace.at("extras").at(key)};
+    }
+    return {member(member(lamp.node, "extras"), key), lamp.nodePlace.at("extras").at(key)};
+}
+
+std::string nameOf(const Lamp& lamp, const std::string& otherwise) {
+    for (const json* object : {&lamp.node, &lamp.light}) {
+        const json& name = member(*object, "name");
+        if (name.is_string() && !name.get_ref<const std::string&>().empty()) {
+            return name.get<std::string>();
+        }
+    }
+    return otherwise;
+}
+
+double numberOr(const json& object, const char* key, double otherwise) {
+    const json& value = member(object, key);
+    return value.is_number() ? value.get<double>() : otherwise;
+}
+
+glm::vec3 colorOf(const Lamp& lamp) {
+    const json& color = member(lamp.light, "color");
+    return color.is_null()
+               ? glm::vec3(1.0F)
+               : glm::vec3(color[0].get<float>(), color[1].get<float>(), color[2].get<float>());
+}
+
+double rangeOf(const Lamp& lamp, Report& report) {
+    const double unlimited = std::numeric_limits<double>::infinity();
+    const double range = numberOr(lamp.light, "range", unlimited);
+    if (range > 0.0) {
+        return range;
+    }
+    report.repaired(lamp.lightPlace.at("range"),
+                    "is " + json(range).dump() + ", expected more than 0; it is unlimited");
+    return unlimited;
+}
+
+void readCone(const Lamp& lamp, SpotLight& spot, Report& report) {
+    const json& source = member(lamp.light, "spot");
+    const Place place = lamp.lightPlace.at("spot");
+    if (source.is_null()) {
+        report.repaired(lamp.lightPlace, "is a spot without \"spot\"; the default cone is used");
+    }
+    const double outer = numberOr(source, "outerConeAngle", spot.outerConeAngle);
+    const double inner = numberOr(source, "innerConeAngle", 0.0);
+    spot.outerConeAngle = std::clamp(outer, kMinConeAngle, kMaxConeAngle);
+    if (spot.outerConeAngle != outer) {
+        report.repaired(place.at("outerConeAngle"),
+                        "is " + json(outer).dump() + " radians, drawn as " +
+                            json(spot.outerConeAngle).dump() + "; 0.5 to 80 degrees are drawn");
+    }
+    spot.innerConeAngle = std::min(inner, spot.outerConeAngle);
+    if (inner >= outer) {
+        report.repaired(place.at("innerConeAngle"),
+                        "is " + json(inner).dump() +
+                            " radians, expected less than the outer angle; it is drawn with a "
+                            "hard edge");
+    }
+}
+
+std::optional<int> lightMapImage(const Property& property, const Import& import, ImageTable& images,
+                                 TextureTable& textures, Report& report) {
+    const json& value = property.value;
+    if (value.is_string() && !value.get_ref<const std::string&>().empty()) {
+        return images.useFile(value.get<std::string>(), property.place);
+    }
+    const json& texture = member(value, "texture");
+    if (texture.is_number_integer()) {
+        if (texture >= 0 && texture < import.model.textures.size()) {
+            const int image = textures.useImageOf(texture.get<std::size_t>());
+            if (image >= 0) {
+                return image;
+            }
+        }
+        report.ignored(property.place.at("texture"),
+                       "is " + texture.dump() +
+                           ", no texture with an image in this file; the "
+                           "lamp is drawn without a light map");
+        return std::nullopt;
+    }
+    report.ignored(property.place,
+                   "is neither the path of a picture nor {\"texture\": index}; the lamp is drawn "
+                   "without a light map");
+    return std::nullopt;
+}
+
+double rotationOf(const Lamp& lamp, Report& report) {
+    const Property rotation = propertyOf(lamp, "light_map_rotation");
+    if (rotation.value.is_null()) {
+        return 0.0;
+    }
+    if (!rotation.value.is_number() || std::abs(rotation.value.get<double>()) > 1e9) {
+        report.ignored(rotation.place, "is no angle in degrees; 0 is used");
+        return 0.0;
+    }
+    return rotation.value.get<double>() * std::numbers::pi / 180.0;
+}
+
+BeamShape beamShapeOf(const Lamp& lamp, Report& report) {
+    const Property shape = propertyOf(lamp, "beam_shape");
+    if (shape.value == "pyramid") {
+        return BeamShape::kPyramid;
+    }
+    if (!shape.value.is_null() && shape.value != "cone") {
+        report.ignored(shape.place, "is neither \"cone\" nor \"pyramid\"; a cone is drawn");
+    }
+    return BeamShape::kCone;
+}
+
+// `light_map` before its other name; both may be on the light or on the node.
+std::optional<Property> lightMapOf(const Lamp& lamp) {
+    for (const json* holder : {&lamp.light, &lamp.node}) {
+        for (const char* key : {"light_map", "gobo"}) {
+            const json& value = member(member(*holder, "extras"), key);
+            if (!value.is_null()) {
+                const Place& place = holder == &lamp.light ? lamp.lightPlace : lamp.nodePlace;
+                return Property{value, place.at("extras").at(key)};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+void refuseLightMap(const Lamp& lamp, const std::string& kind, Report& report) {
+    if (const auto property = lightMapOf(lamp)) {
+        report.ignored(property->place,
+                       "is on a " + kind + " light; light maps are drawn for spots only");
+    }
+}
+
+}  // namespace
+
+void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTable& images,
+             TextureTable& textures, Scene& scene, Report& report) {
+    const json& node = element(import.json, "nodes", gltfNode);
+    const json& use = extension(node, kExtension);
+    if (use.is_null()) {
+        return;
+    }
+    const Place nodePlace = import.file.at("nodes").at(gltfNode);
+    const Place usePlace = nodePlace.at("extensions").at(kExtension).at("light");
+    const json& index = member(use, "light");
+    const json& lights = member(extension(import.json, kExtension), "lights");
+    if (!index.is_number_integer() || index < 0 || index >= lights.size()) {
+        report.ignored(usePlace, "is " + index.dump() + ", but the file has " +
+                                     std::to_string(lights.size()) +
+                                     " lights; this lamp is left out");
+        return;
+    }
+    const auto number = index.get<std::size_t>();
+    if (lights[number].is_null()) {
+        report.ignored(usePlace, "is light " + std::to_string(number) +
+                                     ", which cannot be read; this lamp is left out");
+        return;
+    }
+    const Lamp lamp{lights[number],
+                    import.file.at("extensions").at(kExtension).at("lights").at(number), node,
+                    nodePlace};
+    const double intensity = numberOr(lamp.light, "intensity", 1.0);
+    const auto defaultName = [](const char* kind, std::size_t count) {
+        return std::string(kind) + "_" + std::to_string(count);
+    };
+    if (lamp.light["type"] == "spot") {
+        SpotLight spot;
+        spot.name = nameOf(lamp, defaultName("spot", scene.spotLights.size()));
+        spot.node = sceneNode;
+        spot.color = colorOf(lamp);
+        spot.intensityCandela = intensity;
+        spot.rangeMetres = rangeOf(lamp, report);
+        readCone(lamp, spot, report);
+        spot.beamShape = beamShapeOf(lamp, report);
+        const double rotation = rotationOf(lamp, report);
+        if (const auto property = lightMapOf(lamp)) {
+            if (const auto image = lightMapImage(*property, import, images, textures, report)) {
+                spot.lightMap = LightMap{*image, rotation};
+            }
+        }
+        scene.spotLights.push_back(std::move(spot));
+    } else if (lamp.light["type"] == "point") {
+        refuseLightMap(lamp, "point", report);
+        PointLight point;
+        point.name = nameOf(lamp, defaultName("point", scene.pointLights.size()));
+        point.node = sceneNode;
+        point.color = colorOf(lamp);
+        point.intensityCandela = intensity;
+        point.rangeMetres = rangeOf(lamp, report);
+        scene.pointLights.push_back(std::move(point));
+    } else {
+        refuseLightMap(lamp, "directional", report);
+        DirectionalLight sun;
+        sun.name = nameOf(lamp, defaultName("directional", scene.directionalLights.size()));
+        sun.node = sceneNode;
+        sun.color = colorOf(lamp);
+        sun.illuminanceLux = intensity;
+        scene.directionalLights.push_back(std::move(sun));
+    }
+}
+
+}  // namespace ribalta::gltf

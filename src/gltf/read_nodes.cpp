@@ -1,0 +1,176 @@
+#include "gltf/read_nodes.h"
+
+#include <cmath>
+#include <utility>
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "gltf/bad_input.h"
+
+namespace ribalta::gltf {
+namespace {
+
+// Farther away than anything and smaller than any product's overflow: 1e30 m squared is finite.
+constexpr double kMaxTransform = 1e30;
+
+bool isUsable(const glm::dmat4& matrix) {
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            if (!(std::abs(matrix[column][row]) <= kMaxTransform)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+glm::dmat4 matrixOf(const std::vector<double>& numbers) {
+    glm::dmat4 matrix;
+    for (int i = 0; i < 16; ++i) {
+        matrix[i / 4][i % 4] = numbers[std::size_t(i)];
+    }
+    return matrix;
+}
+
+glm::dquat rotationOf(const std::vector<double>& numbers, const Place& place, Report& report) {
+    const glm::dquat rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
+    const double length = glm::length(rotation);
+    if (!(length > 1e-6) || !std::isfinite(length)) {
+        report.repaired(place.at("rotation"), "is no rotation; the node is not turned");
+        return {1.0, 0.0, 0.0, 0.0};
+    }
+    return rotation / length;
+}
+
+glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report& report) {
+    glm::dmat4 matrix(1.0);
+    if (!source.matrix.empty()) {
+        matrix = matrixOf(source.matrix);
+        const bool isAffine = matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 &&
+                              matrix[3][3] == 1.0;
+        if (!isAffine) {
+            report.repaired(place.at("matrix"),
+                            "has a last row other than 0 0 0 1, which is used instead");
+            matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
+            matrix[3][3] = 1.0;
+        }
+    } else {
+        if (!source.rotation.empty()) {
+            matrix = glm::mat4_cast(rotationOf(source.rotation, place, report));
+        }
+        if (!source.scale.empty()) {
+            for (int axis = 0; axis < 3; ++axis) {
+                matrix[axis] *= source.scale[std::size_t(axis)];
+            }
+        }
+        if (!source.translation.empty()) {
+            matrix[3] = glm::dvec4(source.translation[0], source.translation[1],
+                                   source.translation[2], 1.0);
+        }
+    }
+    if (!isUsable(matrix)) {
+        report.repaired(place,
+                        "has a transform with numbers out of all bounds; it is placed as "
+                        "its parent is");
+        return glm::dmat4(1.0);
+    }
+    return matrix;
+}
+
+std::vector<std::size_t> rootsOf(const Import& import, std::string& sceneName, Report& report) {
+    std::vector<std::size_t> roots;
+    const tinygltf::Model& model = import.model;
+    const nlohmann::json& chosen = member(import.json, "scene");
+    if (!model.scenes.empty()) {
+        const std::size_t index = chosen.is_null() ? 0 : chosen.get<std::size_t>();
+        const tinygltf::Scene& scene = model.scenes[index];
+        sceneName = scene.name;
+        roots.assign(scene.nodes.begin(), scene.nodes.end());
+        if (model.scenes.size() > 1) {
+            report.ignored(import.file.at("scenes"), "has " + std::to_string(model.scenes.size()) +
+                                                         " scenes; scene " + std::to_string(index) +
+                                                         " is drawn");
+        }
+        return roots;
+    }
+    std::vector<char> hasParent(model.nodes.size(), 0);
+    for (const tinygltf::Node& node : model.nodes) {
+        for (const int child : node.children) {
+            hasParent[std::size_t(child)] = 1;
+        }
+    }
+    for (std::size_t i = 0; i < hasParent.size(); ++i) {
+        if (hasParent[i] == 0) {
+            roots.push_back(i);
+        }
+    }
+    return roots;
+}
+
+// Places what could be placed on its own, but not below its parents.
+void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
+    std::vector<glm::dmat4> world(list.nodes.size());
+    for (std::size_t i = 0; i < list.nodes.size(); ++i) {
+        Node& node = list.nodes[i];
+        const glm::dmat4 parent =
+            node.parent < 0 ? glm::dmat4(1.0) : world[std::size_t(node.parent)];
+        const auto here = [&] { return import.file.at("nodes").at(list.gltfNodes[i]); };
+        world[i] = parent * node.parentFromLocal;
+        if (!isUsable(world[i])) {
+            report.repaired(here(),
+                            "has a transform that together with its parents' is out of "
+                            "all bounds; it is placed as its parent is");
+            node.parentFromLocal = glm::dmat4(1.0);
+            world[i] = parent;
+        }
+        if (node.mesh >= 0) {
+            // Less than a plane is left of the mesh where all three cross products vanish.
+            const glm::dmat3 axes(world[i]);
+            const bool vanishes = glm::cross(axes[0], axes[1]) == glm::dvec3(0.0) &&
+                                  glm::cross(axes[1], axes[2]) == glm::dvec3(0.0) &&
+                                  glm::cross(axes[2], axes[0]) == glm::dvec3(0.0);
+            if (vanishes) {
+                report.ignored(here(), "is scaled to nothing; its mesh is not drawn");
+                node.mesh = -1;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+NodeList readNodes(const Import& import, Report& report) {
+    NodeList list;
+    const tinygltf::Model& model = import.model;
+    // A stack of nodes to visit with their parents; check_nodes made sure that it is a forest.
+    std::vector<std::pair<std::size_t, int>> open;
+    const std::vector<std::size_t> roots = rootsOf(import, list.sceneName, report);
+    for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
+        open.emplace_back(*root, -1);
+    }
+    std::vector<char> visited(model.nodes.size(), 0);
+    while (!open.empty()) {
+        const auto [index, parent] = open.back();
+        open.pop_back();
+        // A scene's root may also hang below another of its roots.
+        if (std::exchange(visited[index], 1) != 0) {
+            continue;
+        }
+        const tinygltf::Node& source = model.nodes[index];
+        Node node;
+        node.name = source.name;
+        node.parent = parent;
+        node.parentFromLocal = transformOf(source, import.file.at("nodes").at(index), report);
+        node.mesh = source.mesh;
+        const auto self = int(list.nodes.size());
+        list.nodes.push_back(std::move(node));
+        list.gltfNodes.push_back(index);
+        for (auto child = source.children.rbegin(); child != source.children.rend(); ++child) {
+            open.emplace_back(std::size_t(*child), self);
+        }
+    }
+    mendWorldTransforms(list, import, report);
+    return list;
+}
+
+}  // namespace ribalta::gltf

@@ -1,0 +1,29 @@
+// URIs as glTF allows them: relative paths inside the file's folder, and data: URIs.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+
+namespace ribalta::gltf {
+
+bool isDataUri(std::string_view uri);
+
+/// The bytes of a data: URI, base64 or percent-encoded, whatever its media type and parameters.
+/// Throws Error(kBadInput).
+std::vector<std::byte> decodeDataUri(std::string_view uri, const Place& place);
+
+/// The file that a relative URI names. Throws Error(kBadInput) where it is absolute, has a scheme
+/// such as http:, or leaves the folder, also by way of symbolic links.
+std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder,
+                                 const Place& place);
+
+/// The same for a plain path, as artists write it into custom properties: nothing is decoded.
+std::filesystem::path resolvePath(const std::string& path, const std::filesystem::path& folder,
+                                  const Place& place);
+
+}  // namespace ribalta::gltf

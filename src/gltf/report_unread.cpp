@@ -1,0 +1,126 @@
+#include "gltf/report_unread.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "gltf/check_extensions.h"
+#include "gltf/where.h"
+
+namespace ribalta::gltf {
+namespace {
+
+using nlohmann::json;
+
+// Counts a feature's places and keeps the first.
+class Tally {
+  public:
+    void add(const std::string& feature, const Where& where) {
+        auto [entry, isNew] = features_.try_emplace(feature);
+        if (isNew) {
+            entry->second.first = where.place();
+        }
+        ++entry->second.count;
+    }
+
+    void report(const std::string& fate, Report& report) const {
+        for (const auto& [feature, seen] : features_) {
+            const std::string more =
+                seen.count > 1 ? " (" + std::to_string(seen.count) + " places, this is the first)"
+                               : std::string();
+            report.ignored(seen.first, feature + fate + more);
+        }
+    }
+
+  private:
+    struct Seen {
+        Place first;
+        std::size_t count = 0;
+    };
+    std::map<std::string, Seen> features_;
+};
+
+// JSON is nested at most kMaxJsonDepth deep, so recursion is.
+void tallyExtensions(const json& value, const Where& where, Tally& tally) {
+    if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            if (value[i].is_structured()) {
+                tallyExtensions(value[i], Where(where, i), tally);
+            }
+        }
+        return;
+    }
+    for (const auto& [key, child] : value.items()) {
+        if (!child.is_structured() || key == "extras") {
+            continue;
+        }
+        const Where here(where, key);
+        if (key == "extensions" && child.is_object()) {
+            for (const auto& [name, content] : child.items()) {
+                if (!isSupported(name)) {
+                    tally.add(name, Where(here, name));
+                }
+            }
+        }
+        tallyExtensions(child, here, tally);
+    }
+}
+
+bool isRead(const std::string& attribute) {
+    return attribute == "POSITION" || attribute == "NORMAL" || attribute == "TANGENT" ||
+           attribute == "TEXCOORD_0" || attribute == "TEXCOORD_1" || attribute == "COLOR_0" ||
+           // Told with their skins.
+           attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
+}
+
+void tallyPrimitives(const json& root, const Where& rootWhere, Tally& attributes, Tally& morphs) {
+    const json& meshes = member(root, "meshes");
+    const Where meshesWhere(rootWhere, "meshes");
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const Where meshWhere(meshesWhere, m);
+        const Where listWhere(meshWhere, "primitives");
+        const json& primitives = meshes[m]["primitives"];
+        for (std::size_t p = 0; p < primitives.size(); ++p) {
+            const Where where(listWhere, p);
+            const Where attributesWhere(where, "attributes");
+            for (const auto& [name, accessor] : primitives[p]["attributes"].items()) {
+                if (!isRead(name)) {
+                    attributes.add(name, Where(attributesWhere, name));
+                }
+            }
+            if (!member(primitives[p], "targets").empty()) {
+                morphs.add("morph targets", Where(where, "targets"));
+            }
+        }
+    }
+}
+
+void reportArray(const json& root, const Place& file, const char* key, const std::string& fate,
+                 Report& report) {
+    const json& list = member(root, key);
+    if (list.is_null()) {
+        return;
+    }
+    const std::size_t count = list.is_array() ? list.size() : 1;
+    report.ignored(file.at(key), std::to_string(count) + " " + key + fate);
+}
+
+}  // namespace
+
+void reportUnread(const Import& import, Report& report) {
+    const Where root(import.file);
+    reportArray(import.json, import.file, "animations",
+                " are not played; the scene is drawn as it stands", report);
+    reportArray(import.json, import.file, "skins",
+                " are not applied; their meshes are drawn in rest position", report);
+    Tally attributes;
+    Tally morphs;
+    tallyPrimitives(import.json, root, attributes, morphs);
+    morphs.report(" are not applied", report);
+    attributes.report(" is not drawn", report);
+    Tally extensions;
+    tallyExtensions(import.json, root, extensions);
+    extensions.report(" is not supported and not drawn", report);
+}
+
+}  // namespace ribalta::gltf
