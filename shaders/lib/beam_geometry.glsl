@@ -14,6 +14,8 @@
 
 /// Slopes below this are taken as parallel to a plane; over 10 km they move 1e-16 m.
 const float kParallel = 1.0e-20;
+/// Metres past every ray's ends.
+const float kEndless = 1.0e30;
 
 /// Restricts first..last to where offset + slope s >= 0; first > last afterwards where that is
 /// nowhere.
@@ -32,9 +34,21 @@ void clipToPlane(float offset, float slope, float first, float last, OUT(float) 
     }
 }
 
+/// The overlap of first..last with t0..t1; false and entry = exit = t0 where there is none.
+bool joinClip(float first, float last, float t0, float t1, OUT(float) entry, OUT(float) exit) {
+    entry = max(first, t0);
+    exit = min(last, t1);
+    if (entry < exit) {
+        return true;
+    }
+    entry = t0;
+    exit = t0;
+    return false;
+}
+
 /// Restricts the ray origin + t direction, t0 <= t <= t1, to the cone of half angle a around +z
 /// (one nappe) between the planes z = zLens and z = zFar. direction is unit; cosSquared and
-/// sinSquared of a come from double precision, 0.5 <= a <= 80 degrees; 0 <= zLens < zFar <= 1e30;
+/// sinSquared of a come from double precision, 0.5 <= a <= 80 degrees; 0 < zLens < zFar <= 1e30;
 /// t0, t1 finite. False where nothing is left (entry = exit = t0 then), else entry < exit.
 /// In single precision the ends are off by more than 1 cm for fewer than 0.002 % of the rays that
 /// see a beam of 0.5 degrees from 50 m, by grazing it.
@@ -47,8 +61,8 @@ bool clipToCone(vec3 origin, vec3 direction, float cosSquared, float sinSquared,
     vec3 moment = cross(direction, origin);
     vec3 nearest = cross(moment, direction);
 
-    float first = t0 - tNearest;
-    float last = t1 - tNearest;
+    float first = -kEndless;
+    float last = kEndless;
     clipToPlane(nearest.z - zLens, direction.z, first, last, first, last);
     clipToPlane(zFar - nearest.z, -direction.z, first, last, first, last);
     if (!(first < last)) {
@@ -63,6 +77,10 @@ bool clipToCone(vec3 origin, vec3 direction, float cosSquared, float sinSquared,
                cosSquared * (nearest.x * nearest.x + nearest.y * nearest.y);
     float discriminant = cosSquared * (sinSquared * (moment.x * moment.x + moment.y * moment.y) -
                                        cosSquared * moment.z * moment.z);
+    if (qa == 0.0) {
+        // Parallel to the cone's edge: as if a trace steeper, its second crossing far away.
+        qa = -1.0e-30;
+    }
     if (qa < 0.0 && discriminant <= 0.0) {
         return false;
     }
@@ -73,19 +91,17 @@ bool clipToCone(vec3 origin, vec3 direction, float cosSquared, float sinSquared,
     float root = sqrt(max(discriminant, 0.0));
     float q = qb < 0.0 ? root - qb : -(root + qb);
     bool anyRoot = false;
-    if (qa != 0.0) {
-        float s = q / qa;
-        if (nearest.z + s * direction.z >= zKeep) {
-            anyRoot = true;
-            if (qb < 0.0) {
-                first = max(first, s);
-            } else {
-                last = min(last, s);
-            }
+    float s = q / qa;
+    if (nearest.z + s * direction.z >= zKeep) {
+        anyRoot = true;
+        if (qb < 0.0) {
+            first = max(first, s);
+        } else {
+            last = min(last, s);
         }
     }
     if (q != 0.0) {
-        float s = qc / q;
+        s = qc / q;
         if (nearest.z + s * direction.z >= zKeep) {
             anyRoot = true;
             if (qb < 0.0) {
@@ -95,19 +111,11 @@ bool clipToCone(vec3 origin, vec3 direction, float cosSquared, float sinSquared,
             }
         }
     }
-    // Steeper than the cone: inside only between its two roots. Else, parallel to a tangent plane:
-    // inside or outside as a whole.
-    if (!anyRoot && (qa < 0.0 || (q == 0.0 && qc < 0.0))) {
+    // Steeper than the cone: inside only between its two crossings.
+    if (qa < 0.0 && !anyRoot) {
         return false;
     }
-    first = first + tNearest;
-    last = last + tNearest;
-    if (!(first < last)) {
-        return false;
-    }
-    entry = max(first, t0);
-    exit = min(last, t1);
-    return entry < exit;
+    return joinClip(first + tNearest, last + tNearest, t0, t1, entry, exit);
 }
 
 /// The same for a square beam: |x| <= z tanHalfAngle and |y| <= z tanHalfAngle.
@@ -121,22 +129,15 @@ bool clipToPyramid(vec3 origin, vec3 direction, float tanHalfAngle, float zLens,
     float width = tanHalfAngle * nearest.z;
     float widening = tanHalfAngle * direction.z;
 
-    float first = t0 - tNearest;
-    float last = t1 - tNearest;
+    float first = -kEndless;
+    float last = kEndless;
     clipToPlane(nearest.z - zLens, direction.z, first, last, first, last);
     clipToPlane(zFar - nearest.z, -direction.z, first, last, first, last);
     clipToPlane(width - nearest.x, widening - direction.x, first, last, first, last);
     clipToPlane(width + nearest.x, widening + direction.x, first, last, first, last);
     clipToPlane(width - nearest.y, widening - direction.y, first, last, first, last);
     clipToPlane(width + nearest.y, widening + direction.y, first, last, first, last);
-    first = first + tNearest;
-    last = last + tNearest;
-    if (!(first < last)) {
-        return false;
-    }
-    entry = max(first, t0);
-    exit = min(last, t1);
-    return entry < exit;
+    return joinClip(first + tNearest, last + tNearest, t0, t1, entry, exit);
 }
 
 // Projective placement: samples that are even in x of [0, 1] in the lamp's own projection, where

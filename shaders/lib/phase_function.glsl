@@ -39,7 +39,7 @@ float phaseDenominator(float cosAngle, float g) {
 float phaseHenyeyGreenstein(float cosAngle, float g) {
     float mean = clamp(g, -kMaxMeanCosine, kMaxMeanCosine);
     float base = phaseDenominator(clamp(cosAngle, -1.0, 1.0), mean);
-    return kInverseFourPi * (1.0 - mean * mean) / (base * sqrt(base));
+    return kInverseFourPi * (1.0 - mean) * (1.0 + mean) / (base * sqrt(base));
 }
 
 /// Asymmetry g, -1 < g < 1; the mean cosine is 3 g (4 + g^2) / (5 (2 + g^2)).
@@ -47,7 +47,7 @@ float phaseCornetteShanks(float cosAngle, float g) {
     float mean = clamp(g, -kMaxMeanCosine, kMaxMeanCosine);
     float mu = clamp(cosAngle, -1.0, 1.0);
     float base = phaseDenominator(mu, mean);
-    return 1.5 * kInverseFourPi * (1.0 - mean * mean) * (1.0 + mu * mu) /
+    return 1.5 * kInverseFourPi * (1.0 - mean) * (1.0 + mean) * (1.0 + mu * mu) /
            ((2.0 + mean * mean) * base * sqrt(base));
 }
 

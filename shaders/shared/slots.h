@@ -1,0 +1,33 @@
+// Binding slots: the same numbers in GLSL and in C++.
+#pragma once
+#include "shared/language.h"
+SHARED_BEGIN
+
+// Uniform buffers.
+const int kViewSlot = 0;
+const int kBeamSettingsSlot = 1;
+// Shader storage.
+const int kLampsSlot = 0;
+const int kPointLampsSlot = 1;
+const int kDirectionalLampsSlot = 2;
+const int kDrawsSlot = 3;
+const int kMaterialsSlot = 4;
+const int kTilesSlot = 5;
+const int kTileLampsSlot = 6;
+const int kExposureSlot = 7;
+// Textures.
+const int kShadowMapsUnit = 0;
+const int kLightMapsUnit = 1;
+const int kDepthUnit = 2;
+const int kColorUnit = 3;
+const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
+// Vertex attributes.
+const int kPositionAttribute = 0;
+const int kNormalAttribute = 1;
+const int kTangentAttribute = 2;
+const int kUv0Attribute = 3;
+const int kUv1Attribute = 4;
+const int kColorAttribute = 5;
+const int kDrawAttribute = 6;  // index into the draws, one an instance
+
+SHARED_END

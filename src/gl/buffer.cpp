@@ -1,0 +1,51 @@
+#include "gl/buffer.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "gl/counters.h"
+
+namespace ribalta {
+
+Buffer::Buffer(const std::string& label, std::span<const std::byte> bytes) {
+    write(label, bytes);
+}
+
+Buffer::~Buffer() {
+    countRelease(size_);
+}
+
+Buffer::Buffer(Buffer&& other) noexcept
+    : handle_(std::move(other.handle_)), size_(std::exchange(other.size_, 0)) {}
+
+Buffer& Buffer::operator=(Buffer&& other) noexcept {
+    std::swap(handle_, other.handle_);
+    std::swap(size_, other.size_);
+    return *this;
+}
+
+void Buffer::write(const std::string& label, std::span<const std::byte> bytes) {
+    if (handle_ && bytes.size() <= size_) {
+        glNamedBufferSubData(handle_.name(), 0, GLsizeiptr(bytes.size()), bytes.data());
+        return;
+    }
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    handle_ = Handle<deleteBuffer>(name);
+    countRelease(size_);
+    // A buffer of no bytes is an error in OpenGL, and an empty list is none here.
+    size_ = std::max<std::size_t>(bytes.size(), 16);
+    countAllocation(size_);
+    glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    if (!bytes.empty()) {
+        glNamedBufferSubData(name, 0, GLsizeiptr(bytes.size()), bytes.data());
+    }
+    glObjectLabel(GL_BUFFER, name, GLsizei(label.size()), label.c_str());
+}
+
+void Buffer::read(std::span<std::byte> bytes) const {
+    CHECK(bytes.size() <= size_);
+    glGetNamedBufferSubData(handle_.name(), 0, GLsizeiptr(bytes.size()), bytes.data());
+}
+
+}  // namespace ribalta

@@ -1,0 +1,22 @@
+// The shader sources, embedded at build time, and how a whole GLSL text is put together from them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ribalta {
+
+/// Every file of shaders/ by its path there, e.g. "lib/brdf.glsl".
+const std::map<std::string, std::string>& embeddedShaders();
+
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string> files;  ///< the numbers that #line gives to the compiler's messages
+};
+
+/// `file` with its #include "..." lines resolved (each file once), behind a #version line, the
+/// defines and the few words that let lib/ and shared/ be C++ as well.
+ShaderSource assembleShader(const std::string& file, const std::vector<std::string>& defines);
+
+}  // namespace ribalta

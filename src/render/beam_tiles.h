@@ -1,0 +1,20 @@
+// Beam tiles: which lamps' beams each square of the picture may show.
+#pragma once
+
+#include <vector>
+
+#include <glm/glm.hpp>
+#include <shared/beams.h>
+
+namespace ribalta {
+
+struct BeamTiles {
+    std::vector<gpu::BeamTile> tiles;  ///< those with at least one lamp, row by row from below
+    std::vector<int> lamps;            ///< the tiles' lists, one after another
+};
+
+/// `outlines[i]` is the convex outline of the beam of lamp i in pixels (see beamOutline), or empty.
+BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, int width,
+                        int height);
+
+}  // namespace ribalta

@@ -1,0 +1,33 @@
+#include "render/draw_list.h"
+
+namespace ribalta {
+
+std::vector<DrawItem> listDraws(const Scene& scene) {
+    std::vector<DrawItem> items;
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
+        const Node& node = scene.nodes[n];
+        if (node.mesh < 0) {
+            continue;
+        }
+        const Mesh& mesh = scene.meshes[std::size_t(node.mesh)];
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            const Primitive& primitive = mesh.primitives[p];
+            if (!primitive.indices.empty()) {
+                items.push_back({int(n), node.mesh, int(p), primitive.material,
+                                 transformed(node.worldFromLocal, primitive.bounds)});
+            }
+        }
+    }
+    return items;
+}
+
+const Primitive& primitiveOf(const Scene& scene, const DrawItem& item) {
+    return scene.meshes[std::size_t(item.mesh)].primitives[std::size_t(item.primitive)];
+}
+
+const Material& materialOf(const Scene& scene, const DrawItem& item) {
+    static const Material defaultMaterial;
+    return item.material < 0 ? defaultMaterial : scene.materials[std::size_t(item.material)];
+}
+
+}  // namespace ribalta

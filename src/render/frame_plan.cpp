@@ -1,0 +1,320 @@
+#include "render/frame_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/lamp_reach.h"
+
+namespace ribalta {
+namespace {
+
+// All shadow maps together; 12 lamps get 1024 x 1024, one gets 2048, 128 get 512.
+constexpr std::int64_t kShadowTexels = std::int64_t(48) << 20;
+constexpr int kMinShadowSide = 256;
+constexpr int kMaxShadowSide = 2048;
+
+// A scene without a floor or walls still has an end for the planes.
+constexpr double kEmptySceneDepth = 100.0;
+
+bool castsShadow(const Scene& scene, const DrawItem& item) {
+    return primitiveOf(scene, item).topology == Topology::kTriangles &&
+           materialOf(scene, item).alphaMode != Material::AlphaMode::kBlend;
+}
+
+double depthOf(const Camera& camera, const glm::dvec3& point) {
+    return glm::dot(camera.frame.forward(), point - camera.frame.position);
+}
+
+int shadowSideFor(std::size_t lamps) {
+    int side = kMaxShadowSide;
+    while (side > kMinShadowSide &&
+           std::int64_t(side) * side * std::int64_t(lamps) > kShadowTexels) {
+        side /= 2;
+    }
+    return side;
+}
+
+std::vector<int> castersOf(const Scene& scene, const FramePlan& plan, const SpotLight& lamp) {
+    std::vector<int> casters;
+    for (std::size_t i = 0; i < plan.draws.size(); ++i) {
+        if (castsShadow(scene, plan.draws[i]) && beamTouches(lamp, plan.draws[i].worldBounds)) {
+            casters.push_back(int(i));
+        }
+    }
+    return casters;
+}
+
+ShadowKey keyOf(const Scene& scene, const FramePlan& plan, const ShadowMapWork& work) {
+    const SpotLight& lamp = scene.spotLights[std::size_t(work.spot)];
+    ShadowKey key{lamp.frame, drawnConeAngle(lamp), lamp.rangeMetres, plan.shadowMaps.side, {}};
+    for (const int caster : work.casters) {
+        const DrawItem& item = plan.draws[std::size_t(caster)];
+        key.casters.emplace_back(caster, scene.nodes[std::size_t(item.node)].worldFromLocal);
+    }
+    return key;
+}
+
+// Gives every lamp with casters a layer: the one that already holds its map, or a free one.
+void planShadowMaps(const Scene& scene, const FrameCache& cache, FramePlan& plan) {
+    std::vector<ShadowMapWork> wanted;
+    std::vector<std::size_t> lampOf;
+    for (std::size_t i = 0; i < plan.lamps.size(); ++i) {
+        const SpotLight& lamp = scene.spotLights[std::size_t(plan.lamps[i].spot)];
+        std::vector<int> casters = castersOf(scene, plan, lamp);
+        if (!casters.empty()) {
+            wanted.push_back({-1, plan.lamps[i].spot, std::move(casters)});
+            lampOf.push_back(i);
+        }
+    }
+    if (wanted.empty()) {
+        return;
+    }
+    // Maps that are there already are good enough while every lamp finds a place among them.
+    const bool reuse = cache.shadowSide > 0 && wanted.size() <= cache.shadowLayers.size() &&
+                       cache.shadowSide >= shadowSideFor(wanted.size());
+    plan.shadowMaps.side = reuse ? cache.shadowSide : shadowSideFor(wanted.size());
+    plan.shadowMaps.layers = int(reuse ? cache.shadowLayers.size() : wanted.size());
+
+    std::vector<bool> taken(std::size_t(plan.shadowMaps.layers), false);
+    std::vector<bool> kept(wanted.size(), false);
+    for (std::size_t w = 0; reuse && w < wanted.size(); ++w) {
+        const ShadowKey key = keyOf(scene, plan, wanted[w]);
+        for (std::size_t layer = 0; layer < cache.shadowLayers.size(); ++layer) {
+            if (!taken[layer] && cache.shadowLayers[layer] && *cache.shadowLayers[layer] == key) {
+                taken[layer] = true;
+                kept[w] = true;
+                wanted[w].layer = int(layer);
+                break;
+            }
+        }
+    }
+    std::size_t free = 0;
+    for (std::size_t w = 0; w < wanted.size(); ++w) {
+        if (!kept[w]) {
+            while (taken[free]) {
+                ++free;
+            }
+            taken[free] = true;
+            wanted[w].layer = int(free);
+        }
+        plan.lamps[lampOf[w]].shadowLayer = wanted[w].layer;
+        if (kept[w]) {
+            ++plan.shadowMapsKept;
+        } else {
+            plan.shadowMapWork.push_back(std::move(wanted[w]));
+        }
+    }
+}
+
+void planForward(const Scene& scene, const std::vector<bool>& visible, FramePlan& plan) {
+    ForwardWork work;
+    work.normalOutput = plan.settings.normalOutput;
+    std::vector<double> depth(plan.draws.size());
+    for (std::size_t i = 0; i < plan.draws.size(); ++i) {
+        if (!visible[i]) {
+            continue;
+        }
+        const Bounds& bounds = plan.draws[i].worldBounds;
+        depth[i] = depthOf(plan.camera, bounds.centre());
+        const bool blended =
+            materialOf(scene, plan.draws[i]).alphaMode == Material::AlphaMode::kBlend;
+        (blended ? work.blended : work.opaque).push_back(int(i));
+    }
+    const auto nearer = [&](int a, int b) { return depth[std::size_t(a)] < depth[std::size_t(b)]; };
+    std::stable_sort(work.opaque.begin(), work.opaque.end(), nearer);
+    std::stable_sort(work.blended.begin(), work.blended.end(),
+                     [&](int a, int b) { return nearer(b, a); });
+    if (!work.opaque.empty() || !work.blended.empty()) {
+        plan.forward = std::move(work);
+    }
+}
+
+// The planes' places: from the near plane to the end of the scene, or as far as `--dt` brings them.
+void planPlanes(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
+    Bounds bounds = sceneBounds(scene);
+    for (const PlannedLamp& lamp : plan.lamps) {
+        bounds.add(scene.spotLights[std::size_t(lamp.spot)].frame.position);
+    }
+    double end = plan.camera.nearMetres;
+    for (int i = 0; i < 8 && !bounds.isEmpty(); ++i) {
+        end = std::max(end, depthOf(plan.camera, bounds.corner(i)));
+    }
+    end = end > plan.camera.nearMetres ? end : kEmptySceneDepth;
+    end = std::min(end, plan.camera.farMetres);
+    work.firstDepth = plan.camera.nearMetres;
+    work.spacingMetres =
+        work.settings.spacingMetres.value_or((end - work.firstDepth) / work.settings.planes);
+}
+
+void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& outlines,
+               FramePlan& plan) {
+    BeamsWork work;
+    work.settings = plan.settings.beams;
+    work.phase = plan.settings.haze.phase.kind;
+    work.separateOutput = plan.settings.beamsOutput;
+    work.tiles = makeBeamTiles(outlines, plan.settings.width, plan.settings.height);
+    if (work.tiles.tiles.empty()) {
+        return;
+    }
+    std::vector<bool> seen(plan.lamps.size(), false);
+    for (const int lamp : work.tiles.lamps) {
+        seen[std::size_t(lamp)] = true;
+    }
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (seen[i]) {
+            work.lamps.push_back(int(i));
+        }
+    }
+    if (work.settings.method == BeamSettings::Method::kPlanes) {
+        planPlanes(scene, plan, work);
+        work.tiles = {};
+    }
+    plan.beams = std::move(work);
+}
+
+bool crossesPicture(const std::vector<glm::dvec2>& outline, int width, int height) {
+    return !makeBeamTiles({outline}, width, height).tiles.empty();
+}
+
+// The spots that light something in view or show a beam there; and the beams' outlines.
+std::vector<std::vector<glm::dvec2>> planLamps(const Scene& scene, const std::vector<bool>& visible,
+                                               FramePlan& plan) {
+    std::vector<std::vector<glm::dvec2>> outlines;
+    const bool haze = plan.settings.haze.scatteringPerMetre > 0.0;
+    for (std::size_t s = 0; s < scene.spotLights.size(); ++s) {
+        const SpotLight& lamp = scene.spotLights[s];
+        bool reaches = false;
+        std::vector<glm::dvec2> outline;
+        if (!isDark(lamp)) {
+            for (std::size_t i = 0; i < visible.size() && !reaches; ++i) {
+                reaches = visible[i] && beamTouches(lamp, plan.draws[i].worldBounds);
+            }
+            if (haze) {
+                outline = beamOutline(lamp, plan.camera, plan.settings.width, plan.settings.height);
+                reaches =
+                    reaches || crossesPicture(outline, plan.settings.width, plan.settings.height);
+            }
+        }
+        if (reaches) {
+            plan.lamps.push_back({int(s), -1});
+            outlines.push_back(std::move(outline));
+        } else {
+            ++plan.lampsSkipped;
+        }
+    }
+    return outlines;
+}
+
+void planOtherLamps(const Scene& scene, const std::vector<bool>& visible, FramePlan& plan) {
+    const bool anything = std::find(visible.begin(), visible.end(), true) != visible.end();
+    for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
+        const PointLight& lamp = scene.pointLights[i];
+        bool reaches = false;
+        for (std::size_t d = 0; d < visible.size() && !reaches; ++d) {
+            const Bounds& bounds = plan.draws[d].worldBounds;
+            const glm::dvec3 gap = glm::max(
+                glm::abs(bounds.centre() - lamp.position) - bounds.halfSize(), glm::dvec3(0.0));
+            reaches = visible[d] && glm::length(gap) <= lamp.rangeMetres;
+        }
+        if (reaches && lamp.intensityCandela > 0.0 && lamp.color != glm::vec3(0.0F)) {
+            plan.pointLights.push_back(int(i));
+        } else {
+            ++plan.lampsSkipped;
+        }
+    }
+    for (std::size_t i = 0; i < scene.directionalLights.size(); ++i) {
+        const DirectionalLight& lamp = scene.directionalLights[i];
+        if (anything && lamp.illuminanceLux > 0.0 && lamp.color != glm::vec3(0.0F)) {
+            plan.directionalLights.push_back(int(i));
+        } else {
+            ++plan.lampsSkipped;
+        }
+    }
+}
+
+}  // namespace
+
+bool ShadowKey::operator==(const ShadowKey& other) const {
+    return frame.position == other.frame.position &&
+           frame.worldFromLocal == other.frame.worldFromLocal && halfAngle == other.halfAngle &&
+           rangeMetres == other.rangeMetres && side == other.side && casters == other.casters;
+}
+
+FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSettings& settings,
+                    const FrameCache& cache) {
+    FramePlan plan;
+    plan.settings = settings;
+    plan.camera = camera;
+    plan.draws = listDraws(scene);
+
+    const glm::dmat4 clip = clipFromWorld(camera, settings.width, settings.height);
+    std::vector<bool> visible(plan.draws.size());
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        visible[i] = viewTouches(clip, plan.draws[i].worldBounds);
+    }
+
+    const auto outlines = planLamps(scene, visible, plan);
+    planOtherLamps(scene, visible, plan);
+    planShadowMaps(scene, cache, plan);
+    planForward(scene, visible, plan);
+    if (settings.haze.scatteringPerMetre > 0.0) {
+        planBeams(scene, outlines, plan);
+    }
+    if (settings.display) {
+        plan.tonemap = TonemapWork{settings.ev100};
+    }
+    return plan;
+}
+
+void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cache) {
+    if (plan.shadowMaps.layers == 0) {
+        return;
+    }
+    if (cache.shadowSide != plan.shadowMaps.side ||
+        int(cache.shadowLayers.size()) != plan.shadowMaps.layers) {
+        cache.shadowSide = plan.shadowMaps.side;
+        cache.shadowLayers.assign(std::size_t(plan.shadowMaps.layers), std::nullopt);
+    }
+    for (const ShadowMapWork& work : plan.shadowMapWork) {
+        cache.shadowLayers[std::size_t(work.layer)] = keyOf(scene, plan, work);
+    }
+}
+
+std::string FramePlan::describe() const {
+    std::string line;
+    const auto add = [&](const std::string& pass) { line += (line.empty() ? "" : " ") + pass; };
+    if (!shadowMapWork.empty()) {
+        add("shadow_map[" + std::to_string(shadowMapWork.size()) + "]");
+    }
+    if (forward) {
+        add("forward");
+    }
+    if (beams) {
+        const bool planes = beams->settings.method == BeamSettings::Method::kPlanes;
+        add((planes ? "beams_planes[" : "beams[") + std::to_string(beams->lamps.size()) + "]");
+    }
+    if (tonemap) {
+        add(tonemap->ev100 ? "tonemap" : "exposure tonemap");
+    }
+    return line.empty() ? "nothing" : line;
+}
+
+std::uint64_t FramePlan::beamSamples() const {
+    if (!beams) {
+        return 0;
+    }
+    const auto planes = std::uint64_t(beams->settings.planes);
+    if (beams->settings.method == BeamSettings::Method::kPlanes) {
+        return planes * beams->lamps.size() * std::uint64_t(settings.width) *
+               std::uint64_t(settings.height);
+    }
+    std::uint64_t pixelLamps = 0;
+    for (const gpu::BeamTile& tile : beams->tiles.tiles) {
+        const int across = std::min(gpu::kTileSide, settings.width - tile.place.x * gpu::kTileSide);
+        const int down = std::min(gpu::kTileSide, settings.height - tile.place.y * gpu::kTileSide);
+        pixelLamps += std::uint64_t(across) * std::uint64_t(down) * std::uint64_t(tile.place.w);
+    }
+    return planes * pixelLamps;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,101 @@
+// FramePlan: what one frame will draw, as data. Made on the CPU without OpenGL; what a frame does
+// not need is not in its plan, and so no pass, shader or texture is made for it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/beam_tiles.h"
+#include "render/draw_list.h"
+#include "render/frame_settings.h"
+#include "scene/camera.h"
+#include "scene/scene.h"
+
+namespace ribalta {
+
+/// Everything a shadow map's content depends on.
+struct ShadowKey {
+    Frame frame;
+    double halfAngle = 0.0;
+    double rangeMetres = 0.0;
+    int side = 0;                                     ///< texels
+    std::vector<std::pair<int, glm::dmat4>> casters;  ///< index into the draw list, its placement
+
+    bool operator==(const ShadowKey& other) const;
+};
+
+/// What the frame before left behind that this one may use.
+struct FrameCache {
+    int shadowSide = 0;                                  ///< texels of the maps that are there
+    std::vector<std::optional<ShadowKey>> shadowLayers;  ///< by layer
+};
+
+/// One lamp's shadow map to draw.
+struct ShadowMapWork {
+    int layer = 0;
+    int spot = 0;              ///< into Scene::spotLights
+    std::vector<int> casters;  ///< into FramePlan::draws
+};
+
+/// The layers the frame's shadow maps live in.
+struct ShadowMaps {
+    int side = 0;  ///< texels
+    int layers = 0;
+};
+
+/// A spot that reaches the view.
+struct PlannedLamp {
+    int spot = 0;          ///< into Scene::spotLights
+    int shadowLayer = -1;  ///< -1: nothing stands in its beam
+};
+
+struct ForwardWork {
+    std::vector<int> opaque;   ///< into FramePlan::draws, near to far
+    std::vector<int> blended;  ///< far to near
+    bool normalOutput = false;
+};
+
+struct BeamsWork {
+    BeamSettings settings;
+    PhaseFunction::Kind phase = PhaseFunction::Kind::kGibbons;
+    std::vector<int> lamps;      ///< into FramePlan::lamps
+    BeamTiles tiles;             ///< clipped only; their lists index FramePlan::lamps
+    double firstDepth = 0.0;     ///< planes only: metres along the view axis
+    double spacingMetres = 0.0;  ///< planes only
+    bool separateOutput = false;
+};
+
+struct TonemapWork {
+    std::optional<double> ev100;  ///< none: found from the picture
+};
+
+struct FramePlan {
+    FrameSettings settings;
+    Camera camera;
+    std::vector<DrawItem> draws;
+    std::vector<PlannedLamp> lamps;
+    std::vector<int> pointLights;        ///< into Scene::pointLights
+    std::vector<int> directionalLights;  ///< into Scene::directionalLights
+    int lampsSkipped = 0;                ///< lamps of all kinds that do not reach the view
+    ShadowMaps shadowMaps;
+    int shadowMapsKept = 0;  ///< as they were drawn for an earlier frame
+
+    std::vector<ShadowMapWork> shadowMapWork;  ///< empty: no lamp with casters, or all kept
+    std::optional<ForwardWork> forward;        ///< absent: nothing to see
+    std::optional<BeamsWork> beams;            ///< absent: clear air, or no beam in view
+    std::optional<TonemapWork> tonemap;        ///< absent: no picture for a screen is asked for
+
+    /// One line, e.g. "shadow_map[12] forward beams[12] exposure tonemap".
+    std::string describe() const;
+    /// Light samples the beams take, an upper bound known before drawing: sheets * pixels * lamps.
+    std::uint64_t beamSamples() const;
+};
+
+FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSettings& settings,
+                    const FrameCache& cache);
+
+/// What the next frame may use once the plan is drawn.
+void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cache);
+
+}  // namespace ribalta

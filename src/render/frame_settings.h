@@ -1,0 +1,40 @@
+// FrameSettings: how a frame is drawn. What belongs to a scene stands in the scene.
+#pragma once
+
+#include <optional>
+
+#include "scene/haze.h"
+
+namespace ribalta {
+
+/// How the light in the haze is summed.
+struct BeamSettings {
+    enum class Method {
+        kClipped,  ///< sheets confined to the part of each pixel's ray inside the beam
+        kPlanes,   ///< the thesis's view-aligned planes over the camera's depth range
+    };
+
+    Method method = Method::kClipped;
+    int planes = 64;  ///< sheets a beam (clipped) or planes a frame (planes)
+    /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
+    /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.
+    int cellsAcross = 0;
+    int cellsDown = 0;
+    /// `planes` only: distance between planes in metres; otherwise they are spread evenly from the
+    /// near plane to the end of the scene.
+    std::optional<double> spacingMetres;
+};
+
+struct FrameSettings {
+    int width = 1280;  ///< pixels
+    int height = 720;
+    Haze haze;
+    BeamSettings beams;
+    double ambientLux = 1.0;      ///< even light from all around
+    std::optional<double> ev100;  ///< exposure; none: found from the picture
+    bool display = true;          ///< make the exposed, tone-mapped 8-bit picture
+    bool beamsOutput = false;     ///< keep the beams apart as well
+    bool normalOutput = false;    ///< keep the surfaces' normals
+};
+
+}  // namespace ribalta

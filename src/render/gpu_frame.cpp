@@ -1,0 +1,158 @@
+#include "render/gpu_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <shared/lamp.h>
+#include <shared/slots.h>
+#include <shared/surface.h>
+#include <shared/view.h>
+
+#include "render/lamp_reach.h"
+
+namespace ribalta {
+namespace {
+
+// Nothing nearer to a lamp than this casts a shadow: its own housing may stand there.
+constexpr double kShadowNearMetres = 0.05;
+
+// 1 / tan of the shadow map's half angle: two texels wider than the beam, for the filter.
+double shadowScale(const SpotLight& lamp, int side) {
+    return (1.0 - 4.0 / side) / std::tan(drawnConeAngle(lamp));
+}
+
+double inverseRange(double rangeMetres) {
+    return std::isfinite(rangeMetres) ? 1.0 / rangeMetres : 0.0;
+}
+
+gpu::View describeView(const FramePlan& plan) {
+    const FrameSettings& settings = plan.settings;
+    const Camera& camera = plan.camera;
+    const glm::dmat4 view = viewFromWorld(camera);
+    const glm::dvec2 half = viewHalfExtent(camera, settings.width, settings.height);
+    const double n = camera.nearMetres;
+    const double f = camera.farMetres;
+
+    gpu::View result{};
+    result.clipFromView =
+        clipFromWorld(camera, settings.width, settings.height) * worldFromView(camera);
+    result.halfExtent = glm::vec4(half.x, half.y, camera.isOrthographic() ? 1.0 : 0.0, 0.0);
+    const double farShown = std::isfinite(f) ? f : 1e30;
+    if (camera.isOrthographic()) {
+        result.depthTerms = glm::vec4(f, n - f, n, farShown);
+    } else if (std::isfinite(f)) {
+        result.depthTerms = glm::vec4(n * f / (f - n), -n / (f - n), n, farShown);
+    } else {
+        result.depthTerms = glm::vec4(n, 0.0, n, farShown);
+    }
+    result.picture =
+        glm::vec4(settings.width, settings.height, 1.0 / settings.width, 1.0 / settings.height);
+    const Haze& haze = settings.haze;
+    result.haze =
+        glm::vec4(haze.scatteringPerMetre, haze.extinctionPerMetre(), haze.phase.g, haze.phase.k);
+    result.upAmbient = glm::vec4(glm::dmat3(view) * glm::dvec3(0.0, 1.0, 0.0), settings.ambientLux);
+    result.lampCounts =
+        glm::ivec4(plan.lamps.size(), plan.pointLights.size(), plan.directionalLights.size(), 0);
+    return result;
+}
+
+gpu::SpotLamp describeSpot(const SpotLight& lamp, int shadowLayer, const glm::dmat4& worldFromView,
+                           int shadowSide, const GpuScene& gpuScene) {
+    const double outer = drawnConeAngle(lamp);
+    const double inner = std::clamp(lamp.innerConeAngle, 0.0, outer);
+    const double rotation = lamp.lightMap ? lamp.lightMap->rotationRadians : 0.0;
+    gpu::SpotLamp result{};
+    result.lampFromView = lampFromWorld(lamp) * worldFromView;
+    result.candela =
+        glm::vec4(lamp.color * float(lamp.intensityCandela), float(inverseRange(lamp.rangeMetres)));
+    result.cone = glm::vec4(std::cos(inner), std::cos(outer), std::cos(outer) * std::cos(outer),
+                            std::sin(outer) * std::sin(outer));
+    result.projection = glm::vec4(1.0 / std::tan(outer), std::cos(rotation), std::sin(rotation),
+                                  lamp.beamShape == BeamShape::kPyramid ? 1.0 : 0.0);
+    if (shadowLayer >= 0) {
+        const double scale = shadowScale(lamp, shadowSide);
+        result.shadow = glm::vec4(scale, kShadowNearMetres, 2.0 / (scale * shadowSide), shadowSide);
+    }
+    const int lightMap = gpuScene.lightMapLayer(lamp);
+    result.layers =
+        glm::ivec4(shadowLayer, lightMap, lightMap < 0 ? 0 : gpuScene.lightMaps().size().width, 0);
+    return result;
+}
+
+template <typename Value>
+void uploadList(Buffer& buffer, const char* label, int slot, const std::vector<Value>& values) {
+    buffer.write(label, bytesOf(values));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(slot), buffer.name());
+}
+
+std::vector<gpu::Draw> describeDraws(const Scene& scene, const FramePlan& plan,
+                                     const glm::dmat4& viewFromWorld, const GpuScene& gpuScene) {
+    std::vector<gpu::Draw> draws;
+    draws.reserve(plan.draws.size());
+    for (const DrawItem& item : plan.draws) {
+        const glm::dmat4 viewFromLocal =
+            viewFromWorld * scene.nodes[std::size_t(item.node)].worldFromLocal;
+        // The adjugate turns normals as the inverse transpose does, and stands a flattened node.
+        const glm::dmat3 linear(viewFromLocal);
+        glm::dmat3 normals(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                           glm::cross(linear[0], linear[1]));
+        const double mirrored = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
+        const double size =
+            std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
+        normals *= size > 0.0 ? mirrored / size : 0.0;
+        const bool hasNormals = !primitiveOf(scene, item).normals.empty();
+        draws.push_back({glm::mat4(viewFromLocal), glm::mat4(glm::dmat4(normals)),
+                         glm::ivec4(gpuScene.materialIndex(item), hasNormals ? 1 : 0, 0, 0)});
+    }
+    return draws;
+}
+
+}  // namespace
+
+glm::dmat4 shadowClipFromWorld(const SpotLight& lamp, int side) {
+    const double scale = shadowScale(lamp, side);
+    glm::dmat4 clipFromLamp(0.0);
+    clipFromLamp[0][0] = scale;
+    clipFromLamp[1][1] = scale;
+    clipFromLamp[3][2] = kShadowNearMetres;
+    clipFromLamp[2][3] = 1.0;
+    return clipFromLamp * lampFromWorld(lamp);
+}
+
+void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene) {
+    const glm::dmat4 fromView = worldFromView(plan.camera);
+    const glm::dmat4 fromWorld = viewFromWorld(plan.camera);
+
+    const std::vector<gpu::View> view = {describeView(plan)};
+    view_.write("view", bytesOf(view));
+    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kViewSlot, view_.name());
+
+    std::vector<gpu::SpotLamp> spots;
+    for (const PlannedLamp& lamp : plan.lamps) {
+        spots.push_back(describeSpot(scene.spotLights[std::size_t(lamp.spot)], lamp.shadowLayer,
+                                     fromView, plan.shadowMaps.side, gpuScene));
+    }
+    uploadList(spotLamps_, "spot lamps", gpu::kLampsSlot, spots);
+
+    std::vector<gpu::PointLamp> points;
+    for (const int index : plan.pointLights) {
+        const PointLight& lamp = scene.pointLights[std::size_t(index)];
+        const glm::dvec3 place(fromWorld * glm::dvec4(lamp.position, 1.0));
+        points.push_back({glm::vec4(place, inverseRange(lamp.rangeMetres)),
+                          glm::vec4(lamp.color * float(lamp.intensityCandela), 0.0F)});
+    }
+    uploadList(pointLamps_, "point lamps", gpu::kPointLampsSlot, points);
+
+    std::vector<gpu::DirectionalLamp> directional;
+    for (const int index : plan.directionalLights) {
+        const DirectionalLight& lamp = scene.directionalLights[std::size_t(index)];
+        directional.push_back({glm::vec4(glm::dmat3(fromWorld) * -lamp.direction, 0.0),
+                               glm::vec4(lamp.color * float(lamp.illuminanceLux), 0.0F)});
+    }
+    uploadList(directionalLamps_, "directional lamps", gpu::kDirectionalLampsSlot, directional);
+
+    uploadList(draws_, "draws", gpu::kDrawsSlot, describeDraws(scene, plan, fromWorld, gpuScene));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kMaterialsSlot, gpuScene.materials());
+}
+
+}  // namespace ribalta

@@ -1,0 +1,26 @@
+// GpuFrame: what the shaders know of one frame: the view, its lamps and where things stand in it.
+#pragma once
+
+#include "gl/buffer.h"
+#include "render/frame_plan.h"
+#include "render/gpu_scene.h"
+
+namespace ribalta {
+
+class GpuFrame {
+  public:
+    /// Uploads the plan's view, lamps and placements, and binds them to their slots.
+    void upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene);
+
+  private:
+    Buffer view_;
+    Buffer spotLamps_;
+    Buffer pointLamps_;
+    Buffer directionalLamps_;
+    Buffer draws_;
+};
+
+/// Clip space of a spot's shadow map from world: reversed depth, near / z.
+glm::dmat4 shadowClipFromWorld(const SpotLight& lamp, int side);
+
+}  // namespace ribalta

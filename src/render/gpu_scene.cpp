@@ -1,0 +1,262 @@
+#include "render/gpu_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <shared/slots.h>
+#include <shared/surface.h>
+
+#include "base/log.h"
+#include "render/upload_image.h"
+
+namespace ribalta {
+namespace {
+
+// All that a vertex has besides its position, which shadow maps read alone.
+struct VertexAttributes {
+    glm::vec3 normal{0.0F};
+    glm::vec4 tangent{0.0F};
+    glm::vec2 uv0{0.0F};
+    glm::vec2 uv1{0.0F};
+    std::array<std::uint16_t, 4> color{65535, 65535, 65535, 65535};
+};
+
+constexpr GLuint kPositionBinding = 0;
+constexpr GLuint kAttributesBinding = 1;
+constexpr GLuint kDrawBinding = 2;
+
+GLenum modeOf(Topology topology) {
+    switch (topology) {
+        case Topology::kPoints:
+            return GL_POINTS;
+        case Topology::kLines:
+            return GL_LINES;
+        case Topology::kTriangles:
+            return GL_TRIANGLES;
+    }
+    return GL_TRIANGLES;
+}
+
+void appendAttributes(const Primitive& primitive, std::vector<VertexAttributes>& attributes) {
+    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
+        VertexAttributes& vertex = attributes.emplace_back();
+        if (!primitive.normals.empty()) {
+            vertex.normal = primitive.normals[i];
+        }
+        if (!primitive.tangents.empty()) {
+            vertex.tangent = primitive.tangents[i];
+        }
+        if (!primitive.uv0.empty()) {
+            vertex.uv0 = primitive.uv0[i];
+        }
+        if (!primitive.uv1.empty()) {
+            vertex.uv1 = primitive.uv1[i];
+        }
+        if (!primitive.colors.empty()) {
+            const glm::vec4 color = glm::clamp(primitive.colors[i], 0.0F, 1.0F) * 65535.0F + 0.5F;
+            for (int c = 0; c < 4; ++c) {
+                vertex.color[std::size_t(c)] = std::uint16_t(color[c]);
+            }
+        }
+    }
+}
+
+GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const Buffer& indices,
+                       const Buffer& drawNumbers) {
+    GLuint array = 0;
+    glCreateVertexArrays(1, &array);
+    glVertexArrayVertexBuffer(array, kPositionBinding, positions.name(), 0, sizeof(glm::vec3));
+    glVertexArrayVertexBuffer(array, kAttributesBinding, attributes.name(), 0,
+                              sizeof(VertexAttributes));
+    glVertexArrayVertexBuffer(array, kDrawBinding, drawNumbers.name(), 0, sizeof(std::uint32_t));
+    glVertexArrayBindingDivisor(array, kDrawBinding, 1);
+    glVertexArrayElementBuffer(array, indices.name());
+
+    const auto floats = [&](GLuint attribute, GLuint binding, int count, std::size_t offset) {
+        glEnableVertexArrayAttrib(array, attribute);
+        glVertexArrayAttribFormat(array, attribute, count, GL_FLOAT, GL_FALSE, GLuint(offset));
+        glVertexArrayAttribBinding(array, attribute, binding);
+    };
+    floats(gpu::kPositionAttribute, kPositionBinding, 3, 0);
+    floats(gpu::kNormalAttribute, kAttributesBinding, 3, offsetof(VertexAttributes, normal));
+    floats(gpu::kTangentAttribute, kAttributesBinding, 4, offsetof(VertexAttributes, tangent));
+    floats(gpu::kUv0Attribute, kAttributesBinding, 2, offsetof(VertexAttributes, uv0));
+    floats(gpu::kUv1Attribute, kAttributesBinding, 2, offsetof(VertexAttributes, uv1));
+    glEnableVertexArrayAttrib(array, gpu::kColorAttribute);
+    glVertexArrayAttribFormat(array, gpu::kColorAttribute, 4, GL_UNSIGNED_SHORT, GL_TRUE,
+                              GLuint(offsetof(VertexAttributes, color)));
+    glVertexArrayAttribBinding(array, gpu::kColorAttribute, kAttributesBinding);
+    glEnableVertexArrayAttrib(array, gpu::kDrawAttribute);
+    glVertexArrayAttribIFormat(array, gpu::kDrawAttribute, 1, GL_UNSIGNED_INT, 0);
+    glVertexArrayAttribBinding(array, gpu::kDrawAttribute, kDrawBinding);
+    return array;
+}
+
+// A material's texture slots in the order of shared/surface.h; which of them hold colours.
+struct SlotUse {
+    const std::optional<TextureSlot>* slot;
+    bool colors;
+};
+
+std::array<SlotUse, gpu::kMaterialTextures> slotsOf(const Material& material) {
+    return {{{&material.baseColorTexture, true},
+             {&material.metallicRoughnessTexture, false},
+             {&material.normalTexture, false},
+             {&material.occlusionTexture, false},
+             {&material.emissiveTexture, true}}};
+}
+
+gpu::SurfaceMaterial describeMaterial(const Material& material) {
+    gpu::SurfaceMaterial result{};
+    result.baseColor = material.baseColor;
+    result.emission = glm::vec4(material.emission, material.alphaCutoff);
+    result.factors = glm::vec4(material.metallic, material.roughness, material.normalScale,
+                               material.occlusionStrength);
+    result.flags.x =
+        (material.unlit ? gpu::kUnlitFlag : 0) | (material.doubleSided ? gpu::kDoubleSidedFlag : 0);
+    const auto slots = slotsOf(material);
+    for (std::size_t t = 0; t < slots.size(); ++t) {
+        if (!*slots[t].slot) {
+            continue;
+        }
+        const TextureSlot& slot = **slots[t].slot;
+        result.flags.y |= 1 << t;
+        result.flags.z |= slot.uvSet == 1 ? 1 << t : 0;
+        const glm::mat3 rows = glm::transpose(slot.textureFromUv);
+        result.uvRows[2 * t] = glm::vec4(rows[0], 0.0F);
+        result.uvRows[2 * t + 1] = glm::vec4(rows[1], 0.0F);
+    }
+    return result;
+}
+
+GLuint makeSampler(const Sampler& sampler) {
+    const auto wrap = [](Sampler::Wrap mode) {
+        switch (mode) {
+            case Sampler::Wrap::kRepeat:
+                return GL_REPEAT;
+            case Sampler::Wrap::kMirroredRepeat:
+                return GL_MIRRORED_REPEAT;
+            case Sampler::Wrap::kClampToEdge:
+                return GL_CLAMP_TO_EDGE;
+        }
+        return GL_REPEAT;
+    };
+    const bool near = sampler.minify == Sampler::Filter::kNearest;
+    const bool sharp = sampler.betweenLevels == Sampler::Filter::kNearest;
+    GLint minify = near ? GL_NEAREST : GL_LINEAR;
+    if (sampler.mipmaps) {
+        minify = near ? (sharp ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_LINEAR)
+                      : (sharp ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+    }
+    GLuint name = 0;
+    glCreateSamplers(1, &name);
+    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, minify);
+    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER,
+                        sampler.magnify == Sampler::Filter::kNearest ? GL_NEAREST : GL_LINEAR);
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_S, wrap(sampler.wrapS));
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_T, wrap(sampler.wrapT));
+    return name;
+}
+
+}  // namespace
+
+GpuScene::GpuScene(const Scene& scene) {
+    uploadGeometry(scene);
+    uploadMaterials(scene);
+    uploadLightMaps(scene);
+}
+
+void GpuScene::uploadGeometry(const Scene& scene) {
+    std::vector<glm::vec3> positions;
+    std::vector<VertexAttributes> attributes;
+    std::vector<std::uint32_t> indices;
+    std::size_t draws = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        std::vector<Geometry>& list = geometry_.emplace_back();
+        for (const Primitive& primitive : mesh.primitives) {
+            list.push_back({modeOf(primitive.topology), GLsizei(primitive.indices.size()),
+                            indices.size() * sizeof(std::uint32_t), GLint(positions.size())});
+            positions.insert(positions.end(), primitive.positions.begin(),
+                             primitive.positions.end());
+            indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
+            appendAttributes(primitive, attributes);
+        }
+    }
+    for (const Node& node : scene.nodes) {
+        draws += node.mesh < 0 ? 0 : scene.meshes[std::size_t(node.mesh)].primitives.size();
+    }
+    // An instanced attribute that counts up hands every draw its number, by its base instance.
+    std::vector<std::uint32_t> numbers(draws);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+
+    positions_.write("positions", bytesOf(positions));
+    attributes_.write("vertex attributes", bytesOf(attributes));
+    indices_.write("indices", bytesOf(indices));
+    drawNumbers_.write("draw numbers", bytesOf(numbers));
+    vertexArray_ =
+        Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_, drawNumbers_));
+}
+
+void GpuScene::uploadMaterials(const Scene& scene) {
+    for (const Texture& texture : scene.textures) {
+        samplers_.emplace_back(makeSampler(texture.sampler));
+    }
+    std::vector<gpu::SurfaceMaterial> materials;
+    for (const Material& material : scene.materials) {
+        materials.push_back(describeMaterial(material));
+        hasTextures_.push_back(materials.back().flags.y != 0);
+        for (const SlotUse& use : slotsOf(material)) {
+            if (*use.slot) {
+                useTexture(scene, **use.slot, use.colors);
+            }
+        }
+    }
+    defaultMaterial_ = int(materials.size());
+    materials.push_back(describeMaterial(Material{}));
+    hasTextures_.push_back(false);
+    materials_.write("materials", bytesOf(materials));
+}
+
+void GpuScene::useTexture(const Scene& scene, const TextureSlot& slot, bool colors) {
+    const int image = scene.textures[std::size_t(slot.texture)].image;
+    const Image& pixels = scene.images[std::size_t(image)];
+    const std::pair<int, bool> key(image, colors);
+    if (!pixels.pixels.empty() && !images_.contains(key)) {
+        images_.emplace(key, uploadImage(pixels, colors));
+    }
+}
+
+void GpuScene::bindMaterialTextures(const Scene& scene, const DrawItem& item) const {
+    const auto slots = slotsOf(materialOf(scene, item));
+    for (std::size_t t = 0; t < slots.size(); ++t) {
+        if (!*slots[t].slot) {
+            continue;
+        }
+        const auto texture = std::size_t((*slots[t].slot)->texture);
+        const auto found = images_.find(std::pair(scene.textures[texture].image, slots[t].colors));
+        const auto unit = GLuint(gpu::kMaterialTexturesUnit + int(t));
+        glBindTextureUnit(unit, found == images_.end() ? 0 : found->second.name());
+        glBindSampler(unit, samplers_[texture].name());
+    }
+}
+
+void GpuScene::uploadLightMaps(const Scene& scene) {
+    std::vector<const Image*> pictures;
+    for (const SpotLight& lamp : scene.spotLights) {
+        if (lamp.lightMap && !lightMapLayers_.contains(lamp.lightMap->image)) {
+            lightMapLayers_.emplace(lamp.lightMap->image, int(pictures.size()));
+            pictures.push_back(&scene.images[std::size_t(lamp.lightMap->image)]);
+        }
+    }
+    if (!pictures.empty()) {
+        lightMaps_ = uploadSquareLayers("light maps", pictures);
+    }
+}
+
+int GpuScene::lightMapLayer(const SpotLight& lamp) const {
+    return lamp.lightMap ? lightMapLayers_.at(lamp.lightMap->image) : -1;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,78 @@
+// GpuScene: the scene's geometry, materials and pictures in GPU memory. Made once a scene; knows
+// nothing of cameras and frames.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "render/draw_list.h"
+#include "scene/scene.h"
+
+namespace ribalta {
+
+inline void deleteVertexArray(GLuint name) {
+    glDeleteVertexArrays(1, &name);
+}
+inline void deleteSampler(GLuint name) {
+    glDeleteSamplers(1, &name);
+}
+
+class GpuScene {
+  public:
+    /// Uploads what the scene draws. Needs a current context. The scene is not kept.
+    explicit GpuScene(const Scene& scene);
+
+    /// Where a primitive's geometry lies in the shared buffers.
+    struct Geometry {
+        GLenum mode = GL_TRIANGLES;
+        GLsizei indexCount = 0;
+        std::size_t indexOffset = 0;  ///< bytes
+        GLint baseVertex = 0;
+    };
+
+    const Geometry& geometry(const DrawItem& item) const {
+        return geometry_[std::size_t(item.mesh)][std::size_t(item.primitive)];
+    }
+    /// All attributes, for surfaces; positions (and what masks need) for shadow maps are the same.
+    GLuint vertexArray() const { return vertexArray_.name(); }
+    GLuint materials() const { return materials_.name(); }
+    /// Index into materials() of an item's material.
+    int materialIndex(const DrawItem& item) const {
+        return item.material < 0 ? defaultMaterial_ : item.material;
+    }
+    bool hasTextures(const DrawItem& item) const {
+        return hasTextures_[std::size_t(materialIndex(item))];
+    }
+    /// Binds the pictures of an item's material to their units.
+    void bindMaterialTextures(const Scene& scene, const DrawItem& item) const;
+
+    /// All light maps, one a layer; none where no lamp has one.
+    const Texture2D& lightMaps() const { return lightMaps_; }
+    /// Layer of a lamp's light map, -1 without one.
+    int lightMapLayer(const SpotLight& lamp) const;
+
+  private:
+    void uploadGeometry(const Scene& scene);
+    void uploadMaterials(const Scene& scene);
+    void uploadLightMaps(const Scene& scene);
+    void useTexture(const Scene& scene, const TextureSlot& slot, bool colors);
+
+    std::vector<std::vector<Geometry>> geometry_;  ///< by mesh and primitive
+    Handle<deleteVertexArray> vertexArray_;
+    Buffer positions_;
+    Buffer attributes_;
+    Buffer indices_;
+    Buffer drawNumbers_;
+    Buffer materials_;
+    int defaultMaterial_ = 0;
+    std::vector<bool> hasTextures_;                     ///< by material index
+    std::map<std::pair<int, bool>, Texture2D> images_;  ///< by image and whether sRGB-encoded
+    std::vector<Handle<deleteSampler>> samplers_;       ///< by texture
+    Texture2D lightMaps_;
+    std::map<int, int> lightMapLayers_;  ///< by image
+};
+
+}  // namespace ribalta

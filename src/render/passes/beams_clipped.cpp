@@ -1,0 +1,45 @@
+#include "render/passes/beams_clipped.h"
+
+#include <shared/slots.h>
+
+#include "gl/counters.h"
+#include "gl/pipeline_state.h"
+#include "render/passes/beam_program.h"
+
+namespace ribalta {
+
+ClippedBeamsPass::ClippedBeamsPass() {
+    GLuint array = 0;
+    glCreateVertexArrays(1, &array);
+    vertexArray_ = Handle<deleteVertexArray>(array);
+}
+
+void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
+                            const Texture2D& shadowMaps, const FrameTargets& targets) {
+    Program& program = programs_[{shaderPhase(work.phase), work.separateOutput}];
+    if (!program) {
+        program =
+            Program({"passes/beams_clipped.vert", "passes/beams_clipped.frag"}, beamDefines(work));
+    }
+    const std::vector<gpu::BeamSettings> settings = {describeBeams(work)};
+    settings_.write("beam settings", bytesOf(settings));
+    tiles_.write("beam tiles", bytesOf(work.tiles.tiles));
+    tileLamps_.write("lamps of the beam tiles", bytesOf(work.tiles.lamps));
+    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kBeamSettingsSlot, settings_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTilesSlot, tiles_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTileLampsSlot, tileLamps_.name());
+    glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
+    glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
+    glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
+
+    targets.haze.bind();
+    PipelineState state;
+    state.program = &program;
+    state.vertexArray = vertexArray_.name();
+    state.blend = Blend::kAdd;
+    apply(state);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(work.tiles.tiles.size()));
+    ++glCounters().drawCalls;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,34 @@
+#include "render/passes/exposure.h"
+
+#include <vector>
+
+#include <shared/slots.h>
+
+#include "gl/counters.h"
+
+namespace ribalta {
+
+void ExposurePass::draw(const TonemapWork& work, const FrameTargets& targets) {
+    const std::vector<float> given = {float(work.ev100.value_or(0.0))};
+    exposure_.write("exposure", bytesOf(given));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kExposureSlot, exposure_.name());
+    if (work.ev100) {
+        return;
+    }
+    if (!program_) {
+        program_ = Program({"passes/exposure.comp"});
+    }
+    glUseProgram(program_.name());
+    glBindTextureUnit(gpu::kColorUnit, targets.color.name());
+    glDispatchCompute(1, 1, 1);
+    ++glCounters().drawCalls;
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+double ExposurePass::ev100() const {
+    std::vector<float> value(1);
+    exposure_.read(std::as_writable_bytes(std::span(value)));
+    return double(value[0]);
+}
+
+}  // namespace ribalta

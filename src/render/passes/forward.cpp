@@ -1,0 +1,73 @@
+#include "render/passes/forward.h"
+
+#include <shared/slots.h>
+#include <shared/surface.h>
+
+#include "gl/counters.h"
+#include "gl/pipeline_state.h"
+
+namespace ribalta {
+
+const Program& ForwardPass::program(const Variant& variant) {
+    Program& program = programs_[variant];
+    if (!program) {
+        std::vector<std::string> defines;
+        if (variant.textures) {
+            defines.emplace_back("TEXTURES");
+        }
+        if (variant.alphaMask) {
+            defines.emplace_back("ALPHA_MASK");
+        }
+        if (variant.normalOutput) {
+            defines.emplace_back("NORMAL_OUTPUT");
+        }
+        program = Program({"passes/forward.vert", "passes/forward.frag"}, defines);
+    }
+    return program;
+}
+
+void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
+                           int index, bool blended, bool normalOutput) {
+    const DrawItem& item = plan.draws[std::size_t(index)];
+    const Material& material = materialOf(scene, item);
+    const glm::dmat4& worldFromLocal = scene.nodes[std::size_t(item.node)].worldFromLocal;
+
+    PipelineState state;
+    state.program = &program({gpuScene.hasTextures(item),
+                              material.alphaMode == Material::AlphaMode::kMask, normalOutput});
+    state.vertexArray = gpuScene.vertexArray();
+    state.depthTest = blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
+    state.depthWrite = !blended;
+    state.blend = blended ? Blend::kAlpha : Blend::kReplace;
+    state.cullBackFaces = !material.doubleSided;
+    state.clockwiseFront = glm::determinant(glm::dmat3(worldFromLocal)) < 0.0;
+    apply(state);
+
+    gpuScene.bindMaterialTextures(scene, item);
+    const GpuScene::Geometry& geometry = gpuScene.geometry(item);
+    glDrawElementsInstancedBaseVertexBaseInstance(
+        geometry.mode, geometry.indexCount, GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(geometry.indexOffset), 1, geometry.baseVertex, GLuint(index));
+    ++glCounters().drawCalls;
+}
+
+void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FramePlan& plan,
+                       const GpuScene& gpuScene, const Texture2D& shadowMaps,
+                       const FrameTargets& targets) {
+    targets.surfaces.bind();
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
+    glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
+    for (const int index : work.opaque) {
+        drawItem(scene, plan, gpuScene, index, false, work.normalOutput);
+    }
+    for (const int index : work.blended) {
+        drawItem(scene, plan, gpuScene, index, true, work.normalOutput);
+    }
+    glDisable(GL_PROGRAM_POINT_SIZE);
+    for (int t = 0; t < gpu::kMaterialTextures; ++t) {
+        glBindSampler(GLuint(gpu::kMaterialTexturesUnit + t), 0);
+    }
+}
+
+}  // namespace ribalta

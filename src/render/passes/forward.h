@@ -1,0 +1,36 @@
+// Forward shading: every visible surface under all lamps, opaque near to far, blended far to near.
+#pragma once
+
+#include <map>
+
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "render/frame_plan.h"
+#include "render/frame_targets.h"
+#include "render/gpu_scene.h"
+
+namespace ribalta {
+
+class ForwardPass {
+  public:
+    /// `shadowMaps` may be empty where no lamp has casters.
+    void draw(const ForwardWork& work, const Scene& scene, const FramePlan& plan,
+              const GpuScene& gpuScene, const Texture2D& shadowMaps, const FrameTargets& targets);
+
+  private:
+    struct Variant {
+        bool textures = false;
+        bool alphaMask = false;
+        bool normalOutput = false;
+
+        auto operator<=>(const Variant&) const = default;
+    };
+
+    void drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene, int index,
+                  bool blended, bool normalOutput);
+    const Program& program(const Variant& variant);
+
+    std::map<Variant, Program> programs_;
+};
+
+}  // namespace ribalta

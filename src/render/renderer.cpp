@@ -1,0 +1,90 @@
+#include "render/renderer.h"
+
+#include "gl/debug_output.h"
+
+namespace ribalta {
+namespace {
+
+// The pass, made now if this is its first work.
+template <typename Pass>
+Pass& madeOnFirstUse(std::optional<Pass>& pass) {
+    if (!pass) {
+        pass.emplace();
+    }
+    return *pass;
+}
+
+void clear(const FrameTargets& targets) {
+    targets.surfaces.bind();
+    glDepthMask(GL_TRUE);
+    const float black[] = {0.0F, 0.0F, 0.0F, 0.0F};
+    const float farthest = 0.0F;
+    glClearBufferfv(GL_COLOR, 0, black);
+    if (targets.normals) {
+        glClearBufferfv(GL_COLOR, 1, black);
+    }
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    if (targets.beams) {
+        glClearTexImage(targets.beams.name(), 0, GL_RGBA, GL_FLOAT, black);
+    }
+}
+
+}  // namespace
+
+Renderer::Renderer(const Scene& scene) : scene_(scene), gpuScene_(scene) {}
+
+const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
+    plan_ = planFrame(scene_, camera, settings, cache_);
+    if (!targets_ || !targets_->suit(settings)) {
+        targets_.reset();
+        targets_.emplace(settings);
+    }
+    timer_.begin("upload");
+    gpuFrame_.upload(scene_, plan_, gpuScene_);
+
+    if (!plan_.shadowMapWork.empty()) {
+        timer_.begin("shadow_map");
+        const DebugGroup group("shadow_map");
+        madeOnFirstUse(shadowMaps_).draw(plan_.shadowMapWork, scene_, plan_, gpuScene_);
+    }
+    static const Texture2D noShadowMaps;
+    const Texture2D& shadowMaps = shadowMaps_ ? shadowMaps_->maps() : noShadowMaps;
+
+    timer_.begin("forward");
+    clear(*targets_);
+    if (plan_.forward) {
+        const DebugGroup group("forward");
+        madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, shadowMaps,
+                                      *targets_);
+    }
+    if (plan_.beams) {
+        timer_.begin("beams");
+        const DebugGroup group("beams");
+        drawBeams(*plan_.beams);
+    }
+    if (plan_.tonemap) {
+        timer_.begin("tonemap");
+        const DebugGroup group("tonemap");
+        madeOnFirstUse(exposure_).draw(*plan_.tonemap, *targets_);
+        madeOnFirstUse(tonemap_).draw(*targets_);
+    }
+    timer_.end();
+    keepForNextFrame(scene_, plan_, cache_);
+    return plan_;
+}
+
+void Renderer::drawBeams(const BeamsWork& work) {
+    static const Texture2D noShadowMaps;
+    const Texture2D& shadowMaps = shadowMaps_ ? shadowMaps_->maps() : noShadowMaps;
+    if (work.settings.method == BeamSettings::Method::kPlanes) {
+        madeOnFirstUse(planeBeams_).draw(work, gpuScene_, shadowMaps, *targets_);
+    } else {
+        madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadowMaps, *targets_);
+    }
+}
+
+std::optional<double> Renderer::ev100() const {
+    return plan_.tonemap ? std::optional<double>(exposure_->ev100()) : std::nullopt;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,58 @@
+// Renderer: carries a frame plan out, pass by pass in its order. A pass is made when it first has
+// work, so what a scene does not need compiles no shader and takes no memory.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gl/timer.h"
+#include "render/frame_plan.h"
+#include "render/frame_targets.h"
+#include "render/gpu_frame.h"
+#include "render/gpu_scene.h"
+#include "render/passes/beams_clipped.h"
+#include "render/passes/beams_planes.h"
+#include "render/passes/exposure.h"
+#include "render/passes/forward.h"
+#include "render/passes/shadow_map.h"
+#include "render/passes/tonemap.h"
+
+namespace ribalta {
+
+class Renderer {
+  public:
+    /// Uploads the scene, which must outlive the renderer. Needs a current context.
+    explicit Renderer(const Scene& scene);
+
+    /// Plans and draws a frame; the plan is that of the last frame until the next call.
+    const FramePlan& draw(const Camera& camera, const FrameSettings& settings);
+
+    /// The times of the last frame's passes; waits for the GPU.
+    std::vector<PassTime> takeTimes() { return timer_.take(); }
+    const FramePlan& lastPlan() const { return plan_; }
+    /// What the last frame was drawn into.
+    const FrameTargets& targets() const { return *targets_; }
+    /// The exposure of the last frame's display picture; none where there was none.
+    std::optional<double> ev100() const;
+    /// Draws every shadow map anew in the next frame.
+    void forget() { cache_ = {}; }
+
+  private:
+    void drawBeams(const BeamsWork& work);
+
+    const Scene& scene_;
+    GpuScene gpuScene_;
+    GpuFrame gpuFrame_;
+    FrameCache cache_;
+    FramePlan plan_;
+    PassTimer timer_;
+    std::optional<FrameTargets> targets_;
+    std::optional<ShadowMapPass> shadowMaps_;
+    std::optional<ForwardPass> forward_;
+    std::optional<ClippedBeamsPass> clippedBeams_;
+    std::optional<PlaneBeamsPass> planeBeams_;
+    std::optional<ExposurePass> exposure_;
+    std::optional<TonemapPass> tonemap_;
+};
+
+}  // namespace ribalta

@@ -1,0 +1,162 @@
+#include "inspect_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <set>
+
+#include <CLI/CLI.hpp>
+
+#include "base/log.h"
+#include "gltf/load_gltf.h"
+
+namespace ribalta {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string quoted(const std::string& name) {
+    return "'" + name + "'";
+}
+
+struct MeshTotals {
+    std::size_t primitives = 0;
+    std::size_t triangles = 0;  ///< in memory
+    std::size_t drawn = 0;      ///< as placed by the nodes
+};
+
+std::size_t trianglesOf(const Mesh& mesh) {
+    std::size_t triangles = 0;
+    for (const Primitive& primitive : mesh.primitives) {
+        triangles += primitive.topology == Topology::kTriangles ? primitive.indices.size() / 3 : 0;
+    }
+    return triangles;
+}
+
+MeshTotals totalsOf(const Scene& scene) {
+    MeshTotals totals;
+    for (const Mesh& mesh : scene.meshes) {
+        totals.primitives += mesh.primitives.size();
+        totals.triangles += trianglesOf(mesh);
+    }
+    for (const Node& node : scene.nodes) {
+        totals.drawn += node.mesh < 0 ? 0 : trianglesOf(scene.meshes[std::size_t(node.mesh)]);
+    }
+    return totals;
+}
+
+void printGeometry(const Scene& scene) {
+    const MeshTotals totals = totalsOf(scene);
+    std::printf("nodes      %zu\n", scene.nodes.size());
+    std::printf("meshes     %zu, %zu primitives\n", scene.meshes.size(), totals.primitives);
+    std::printf("triangles  %zu, %zu as placed\n", totals.triangles, totals.drawn);
+    const Bounds bounds = sceneBounds(scene);
+    if (!bounds.isEmpty()) {
+        std::printf("extent     %.3g x %.3g x %.3g m\n", bounds.high.x - bounds.low.x,
+                    bounds.high.y - bounds.low.y, bounds.high.z - bounds.low.z);
+    }
+    std::printf("materials  %zu\n", scene.materials.size());
+    std::printf("images     %zu\n", scene.images.size());
+    for (const Image& image : scene.images) {
+        std::printf("  %s %dx%d%s\n", quoted(image.name).c_str(), image.width, image.height,
+                    image.type == Image::Type::kFloat32 ? " float" : "");
+    }
+}
+
+void printLightMap(const Scene& scene, const SpotLight& lamp) {
+    if (!lamp.lightMap) {
+        return;
+    }
+    const std::string& name = scene.images[std::size_t(lamp.lightMap->image)].name;
+    std::printf(", light map %s", quoted(name).c_str());
+    if (lamp.lightMap->rotationRadians != 0.0) {
+        std::printf(" turned %.1f deg", lamp.lightMap->rotationRadians * kDegrees);
+    }
+}
+
+void printLamps(const Scene& scene) {
+    std::printf("spots      %zu\n", scene.spotLights.size());
+    for (const SpotLight& lamp : scene.spotLights) {
+        std::printf("  %s %.0f cd, colour %.2f %.2f %.2f, half angle %.1f deg (inner %.1f)",
+                    quoted(lamp.name).c_str(), lamp.intensityCandela, double(lamp.color.x),
+                    double(lamp.color.y), double(lamp.color.z), lamp.outerConeAngle * kDegrees,
+                    lamp.innerConeAngle * kDegrees);
+        if (std::isfinite(lamp.rangeMetres)) {
+            std::printf(", range %.3g m", lamp.rangeMetres);
+        }
+        if (lamp.beamShape == BeamShape::kPyramid) {
+            std::printf(", pyramid");
+        }
+        printLightMap(scene, lamp);
+        std::printf("\n");
+    }
+    std::printf("points     %zu\n", scene.pointLights.size());
+    for (const PointLight& lamp : scene.pointLights) {
+        std::printf("  %s %.4g cd\n", quoted(lamp.name).c_str(), lamp.intensityCandela);
+    }
+    std::printf("directional %zu\n", scene.directionalLights.size());
+    for (const DirectionalLight& lamp : scene.directionalLights) {
+        std::printf("  %s %.4g lux\n", quoted(lamp.name).c_str(), lamp.illuminanceLux);
+    }
+    if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty()) {
+        std::printf("  no lamps: only ambient light will be drawn\n");
+    }
+}
+
+void printCameras(const Scene& scene) {
+    std::printf("cameras    %zu\n", scene.cameras.size());
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        const Camera& camera = scene.cameras[i];
+        std::printf("  %zu %s ", i, quoted(camera.name).c_str());
+        if (const auto* lens = std::get_if<PerspectiveLens>(&camera.lens)) {
+            std::printf("perspective, %.1f deg high", lens->verticalFov * kDegrees);
+        } else {
+            const auto& box = std::get<OrthographicLens>(camera.lens);
+            std::printf("orthographic, %.3g x %.3g m", 2.0 * box.halfWidth, 2.0 * box.halfHeight);
+        }
+        std::printf(", near %.3g m, far %.3g m\n", camera.nearMetres, camera.farMetres);
+    }
+    if (scene.cameras.empty()) {
+        std::printf("  none: one that frames the scene will be made\n");
+    }
+}
+
+void printExtensions(const LoadedScene& loaded) {
+    const std::set<std::string> ignored(loaded.extensionsIgnored.begin(),
+                                        loaded.extensionsIgnored.end());
+    std::printf("extensions %zu used, %zu ignored\n", loaded.extensionsUsed.size(), ignored.size());
+    for (const std::string& extension : loaded.extensionsUsed) {
+        std::printf("  %s%s\n", extension.c_str(), ignored.contains(extension) ? " (ignored)" : "");
+    }
+}
+
+void inspect(const std::string& path) {
+    const LoadedScene loaded = loadGltf(path);
+    std::printf("%s\n", path.c_str());
+    printGeometry(loaded.scene);
+    printLamps(loaded.scene);
+    printCameras(loaded.scene);
+    printExtensions(loaded);
+    std::printf("report     %zu lines\n", loaded.report.entries().size());
+    for (const Report::Entry& entry : loaded.report.entries()) {
+        std::printf("  %s: %s: %s\n", name(entry.kind), entry.place.pointer.c_str(),
+                    entry.message.c_str());
+    }
+    for (const LoadedScene::Stage& stage : loaded.stages) {
+        std::printf("load       %-10s %9.2f ms\n", stage.name.c_str(), stage.ms);
+    }
+}
+
+}  // namespace
+
+void addInspectCommand(CLI::App& app) {
+    CLI::App* command = app.add_subcommand(
+        "inspect", "Says what a scene file holds, and what was ignored or repaired.");
+    const auto path = std::make_shared<std::string>();
+    command->add_option("scene", *path, "glTF scene (.gltf or .glb)")->required();
+    command->callback([path] { inspect(*path); });
+}
+
+}  // namespace ribalta

@@ -1,0 +1,131 @@
+#include "options.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/log.h"
+
+namespace ribalta {
+namespace {
+
+constexpr int kMaxSide = 16384;
+constexpr int kMaxCells = 1024;
+
+// The whole text as a finite number.
+template <typename Number>
+std::optional<Number> parseNumber(std::string_view text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (!std::isfinite(value)) {
+            return std::nullopt;
+        }
+    }
+    return value;
+}
+
+PictureSize parsePair(const char* option, const std::string& text, int limit) {
+    const std::size_t cross = text.find('x');
+    const auto width = parseNumber<int>(text.substr(0, cross));
+    const auto height =
+        cross == std::string::npos ? std::nullopt : parseNumber<int>(text.substr(cross + 1));
+    if (!width || !height || *width < 1 || *height < 1 || *width > limit || *height > limit) {
+        throw CLI::ValidationError(
+            option, "'" + text + "' is not WIDTHxHEIGHT, each 1.." + std::to_string(limit));
+    }
+    return {*width, *height};
+}
+
+}  // namespace
+
+PictureSize parseSize(const std::string& text) {
+    return parsePair("--size", text, kMaxSide);
+}
+
+PictureSize parseCells(const std::string& text) {
+    return parsePair("--cells", text, kMaxCells);
+}
+
+void parseHaze(const std::string& text, Haze& haze) {
+    const std::size_t comma = text.find(',');
+    const auto scattering = parseNumber<double>(text.substr(0, comma));
+    const auto absorption =
+        comma == std::string::npos ? 0.0 : parseNumber<double>(text.substr(comma + 1));
+    if (!scattering || !absorption || *scattering < 0.0 || *absorption < 0.0) {
+        throw CLI::ValidationError(
+            "--haze",
+            "'" + text + "' is not SCATTERING[,ABSORPTION], both in 1/m and not negative");
+    }
+    haze.scatteringPerMetre = *scattering;
+    haze.absorptionPerMetre = *absorption;
+}
+
+void parsePhase(const std::string& text, PhaseFunction& phase) {
+    using Kind = PhaseFunction::Kind;
+    const std::size_t colon = text.find(':');
+    const std::string name = text.substr(0, colon);
+    const bool needsG = name == "hg" || name == "cornette-shanks";
+    const auto g =
+        colon == std::string::npos ? std::nullopt : parseNumber<double>(text.substr(colon + 1));
+    const bool known = needsG || name == "gibbons" || name == "isotropic" || name == "rayleigh";
+    const bool well = needsG ? g && std::abs(*g) < 1.0 : colon == std::string::npos;
+    if (!known || !well) {
+        throw CLI::ValidationError("--phase", "'" + text +
+                                                  "' is not gibbons, isotropic, rayleigh, hg:G or "
+                                                  "cornette-shanks:G with -1 < G < 1");
+    }
+    phase.kind = name == "gibbons"     ? Kind::kGibbons
+                 : name == "isotropic" ? Kind::kIsotropic
+                 : name == "rayleigh"  ? Kind::kRayleigh
+                 : name == "hg"        ? Kind::kHenyeyGreenstein
+                                       : Kind::kCornetteShanks;
+    phase.g = g.value_or(0.0);
+}
+
+std::optional<double> parseExposure(const std::string& text) {
+    if (text == "auto") {
+        return std::nullopt;
+    }
+    const auto ev100 = parseNumber<double>(text);
+    if (!ev100 || std::abs(*ev100) > 60.0) {
+        throw CLI::ValidationError("--exposure",
+                                   "'" + text + "' is not auto or an EV100 in -60..60");
+    }
+    return ev100;
+}
+
+Camera chooseCamera(const Scene& scene, const std::optional<std::string>& nameOrIndex,
+                    double aspectRatio) {
+    if (!nameOrIndex) {
+        if (scene.cameras.empty()) {
+            logVerbose("camera: none in the file; one that frames the scene is made");
+            return makeFramingCamera(sceneBounds(scene), aspectRatio);
+        }
+        return scene.cameras.front();
+    }
+    for (const Camera& camera : scene.cameras) {
+        if (camera.name == *nameOrIndex) {
+            return camera;
+        }
+    }
+    const auto index = parseNumber<std::size_t>(*nameOrIndex);
+    if (index && *index < scene.cameras.size()) {
+        return scene.cameras[*index];
+    }
+    std::string there;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        there += (i == 0 ? "" : ", ") + std::to_string(i) + " " + scene.cameras[i].name;
+    }
+    throw Error(ErrorKind::kUsage, {"--camera", ""},
+                "no camera '" + *nameOrIndex + "'; " +
+                    (there.empty() ? "the file has none, leave the option out to frame the scene"
+                                   : "there are: " + there));
+}
+
+}  // namespace ribalta

@@ -1,0 +1,38 @@
+// The texts of options into values. Throw CLI::ValidationError that says what was expected.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/frame_settings.h"
+#include "scene/camera.h"
+#include "scene/scene.h"
+
+namespace ribalta {
+
+struct PictureSize {
+    int width;
+    int height;
+};
+
+/// "1280x720"; each side 1..16384 pixels.
+PictureSize parseSize(const std::string& text);
+
+/// "20x20": cells across and down, each 1..1024.
+PictureSize parseCells(const std::string& text);
+
+/// "0.03" or "0.03,0.01": scattering and absorption in 1/m into `haze`.
+void parseHaze(const std::string& text, Haze& haze);
+
+/// "gibbons", "isotropic", "hg:0.6", "cornette-shanks:0.8", "rayleigh" into `phase`; K is kept.
+void parsePhase(const std::string& text, PhaseFunction& phase);
+
+/// "auto" or a number.
+std::optional<double> parseExposure(const std::string& text);
+
+/// The camera of that name or index (from 0); without a text the first one, or one that frames the
+/// scene where the file has none. Throws Error(kUsage) that says which there are.
+Camera chooseCamera(const Scene& scene, const std::optional<std::string>& nameOrIndex,
+                    double aspectRatio);
+
+}  // namespace ribalta

@@ -1,0 +1,245 @@
+#include "render_command.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <sys/resource.h>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "base/progress.h"
+#include "gl/context.h"
+#include "gl/counters.h"
+#include "gltf/load_gltf.h"
+#include "options.h"
+#include "render/renderer.h"
+#include "render_outputs.h"
+#include "render_stats.h"
+
+namespace ribalta {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+struct RenderOptions {
+    std::string scene;
+    std::vector<std::filesystem::path> outputs;
+    std::optional<std::string> camera;
+    std::string size = "1280x720";
+    std::string haze = "0.03";
+    std::string phase = "gibbons";
+    std::string beams = "clipped";
+    int planes = 64;
+    std::string cells;
+    std::optional<double> k;
+    std::optional<double> spacing;
+    std::string exposure = "auto";
+    double ambient = 1.0;
+    std::string layers;
+    std::string stats;
+    int repeat = 1;
+    bool verbose = false;
+};
+
+FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& outputs) {
+    FrameSettings settings;
+    const PictureSize size = parseSize(options.size);
+    settings.width = size.width;
+    settings.height = size.height;
+    parseHaze(options.haze, settings.haze);
+    parsePhase(options.phase, settings.haze.phase);
+    settings.haze.phase.k = options.k.value_or(settings.haze.phase.k);
+    settings.beams.method =
+        options.beams == "planes" ? BeamSettings::Method::kPlanes : BeamSettings::Method::kClipped;
+    settings.beams.planes = options.planes;
+    settings.beams.spacingMetres = options.spacing;
+    if (!options.cells.empty()) {
+        const PictureSize cells = parseCells(options.cells);
+        settings.beams.cellsAcross = cells.width;
+        settings.beams.cellsDown = cells.height;
+    }
+    const bool planes = settings.beams.method == BeamSettings::Method::kPlanes;
+    if (!planes && (options.spacing || !options.cells.empty())) {
+        throw CLI::ValidationError("--beams", "--dt and --cells belong to --beams planes");
+    }
+    if (options.k && settings.haze.phase.kind != PhaseFunction::Kind::kGibbons) {
+        throw CLI::ValidationError("--K", "belongs to --phase gibbons");
+    }
+    settings.ambientLux = options.ambient;
+    settings.ev100 = parseExposure(options.exposure);
+    settings.display = outputs.wantsPng() || outputs.files.empty();
+    settings.beamsOutput = outputs.layers.beams;
+    settings.normalOutput = outputs.layers.normal;
+    return settings;
+}
+
+void tellOfScene(const LoadedScene& loaded) {
+    for (const Report::Entry& entry : loaded.report.entries()) {
+        const std::string line =
+            std::string(name(entry.kind)) + ": " + entry.place.text() + ": " + entry.message;
+        // What is mended changes the picture and is always said; the rest is for --verbose, and
+        // for `ribalta inspect`.
+        if (entry.kind == Report::Kind::kRepaired) {
+            logWarning(line);
+        } else {
+            logVerbose(line);
+        }
+    }
+    const Scene& scene = loaded.scene;
+    if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty()) {
+        logWarning("the scene has no lamps; only ambient light is drawn (see --ambient)");
+    }
+}
+
+std::uint64_t peakMemory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::uint64_t(usage.ru_maxrss) * 1024;
+}
+
+RenderStats drawFrames(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
+                       int repeat) {
+    RenderStats stats;
+    Progress progress("drawing", std::size_t(repeat));
+    for (int i = 0; i < repeat; ++i) {
+        const Clock::time_point start = Clock::now();
+        const FramePlan& plan = renderer.draw(camera, settings);
+        FrameTimes times;
+        times.passes = renderer.takeTimes();
+        times.frameMs = msSince(start);
+        stats.frames.push_back(std::move(times));
+        stats.shadowMapsDrawn += int(plan.shadowMapWork.size());
+        stats.shadowMapsKept += plan.shadowMapsKept;
+        if (i == 0) {
+            stats.plan = plan.describe();
+        }
+        stats.lampsDrawn =
+            int(plan.lamps.size() + plan.pointLights.size() + plan.directionalLights.size());
+        stats.lampsSkipped = plan.lampsSkipped;
+        stats.samples = plan.beamSamples();
+        progress.step();
+    }
+    stats.drawCalls = glCounters().drawCalls;
+    stats.programsBuilt = glCounters().programsBuilt;
+    stats.texturesMade = glCounters().texturesMade;
+    stats.ev100 = renderer.ev100();
+    return stats;
+}
+
+void render(const RenderOptions& options) {
+    setVerbose(options.verbose);
+    const RenderOutputs outputs{options.outputs, parseLayers(options.layers)};
+    const FrameSettings settings = settingsFrom(options, outputs);
+    checkOutputs(outputs);
+
+    const LoadedScene loaded = loadGltf(options.scene);
+    tellOfScene(loaded);
+    const Camera camera = chooseCamera(loaded.scene, options.camera,
+                                       double(settings.width) / double(settings.height));
+
+    Clock::time_point start = Clock::now();
+    const Context context;
+    logVerbose("OpenGL: " + context.renderer() + ", " + context.version() +
+               (context.isSoftware() ? " (software; no GPU found)" : ""));
+    const double contextMs = msSince(start);
+    start = Clock::now();
+    Renderer renderer(loaded.scene);
+    const double uploadMs = msSince(start);
+
+    RenderStats stats = drawFrames(renderer, camera, settings, options.repeat);
+    stats.renderer = context.renderer();
+    stats.load = loaded.stages;
+    stats.load.push_back({"context", contextMs});
+    stats.load.push_back({"upload", uploadMs});
+    stats.peakBytes = peakMemory();
+
+    logVerbose("plan: " + std::filesystem::path(options.scene).stem().string() + ": " + stats.plan);
+    for (const LoadedScene::Stage& stage : stats.load) {
+        char line[96];
+        std::snprintf(line, sizeof line, "load: %-10s %9.2f ms", stage.name.c_str(), stage.ms);
+        logVerbose(line);
+    }
+    logVerbose(describeTimes(stats));
+    if (stats.ev100) {
+        char line[64];
+        std::snprintf(line, sizeof line, "exposure: EV100 %.2f", *stats.ev100);
+        logVerbose(line);
+    }
+    writeOutputs(outputs, renderer.lastPlan(), renderer.targets());
+    if (!options.stats.empty()) {
+        writeStats(options.stats, stats);
+    }
+}
+
+void addOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("scene", options.scene, "glTF scene (.gltf or .glb)")->required();
+    command
+        .add_option("-o,--output", options.outputs,
+                    "picture to write, once or several times: .png for the screen, .exr in cd/m2")
+        ->allow_extra_args(false);
+    command.add_option("--camera", options.camera,
+                       "camera by name or index from 0 (default: the first; without any, one that "
+                       "frames the scene)");
+    command.add_option("--size", options.size, "picture in pixels, WIDTHxHEIGHT")
+        ->capture_default_str();
+    command
+        .add_option("--haze", options.haze,
+                    "SCATTERING[,ABSORPTION] of the haze in 1/m; 0 is clear air without beams")
+        ->capture_default_str();
+    command
+        .add_option("--phase", options.phase,
+                    "phase function: gibbons, isotropic, rayleigh, hg:G, cornette-shanks:G")
+        ->capture_default_str();
+    command
+        .add_option("--beams", options.beams,
+                    "clipped: sheets within each beam; planes: the whole view's (Pessoa 2007)")
+        ->check(CLI::IsMember({"clipped", "planes"}))
+        ->capture_default_str();
+    command.add_option("--planes", options.planes, "sheets a beam, or planes of the view")
+        ->check(CLI::Range(1, 65536))
+        ->capture_default_str();
+    command.add_option("--cells", options.cells,
+                       "QxQ: with planes, cells on whose corners the smooth factor is evaluated "
+                       "(default: at every pixel)");
+    command
+        .add_option("--K", options.k,
+                    "factor of Gibbons' phase function (default: 1/(8 pi), which is physical)")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--dt", options.spacing,
+                    "with planes, their distance in metres (default: spread over the scene)")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--exposure", options.exposure,
+                    "EV100 of the .png, or auto; +1 halves the brightness")
+        ->capture_default_str();
+    command.add_option("--ambient", options.ambient, "even light from all around, in lux")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_option("--aov", options.layers,
+                       "more layers of the .exr, by comma: beams, transmittance, depth, normal");
+    command.add_option("--stats", options.stats, "write times and counters to this JSON file");
+    command
+        .add_option("--repeat", options.repeat, "draw the frame so many times and report medians")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command.add_flag("--verbose", options.verbose,
+                     "say which OpenGL is used, what is drawn and how long it takes");
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("render", "Draws one frame without a window.");
+    const auto options = std::make_shared<RenderOptions>();
+    addOptions(*command, *options);
+    command->callback([options] { render(*options); });
+}
+
+}  // namespace ribalta

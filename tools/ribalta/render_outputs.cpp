@@ -1,0 +1,85 @@
+#include "render_outputs.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/temporary_file.h"
+#include "image/write_image.h"
+
+namespace ribalta {
+namespace {
+
+std::string endingOf(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+bool anyEndsWith(const RenderOutputs& outputs, const char* ending) {
+    return std::any_of(outputs.files.begin(), outputs.files.end(),
+                       [&](const auto& file) { return endingOf(file) == ending; });
+}
+
+}  // namespace
+
+bool RenderOutputs::wantsPng() const {
+    return anyEndsWith(*this, ".png");
+}
+
+bool RenderOutputs::wantsExr() const {
+    return anyEndsWith(*this, ".exr");
+}
+
+void checkOutputs(const RenderOutputs& outputs) {
+    for (const std::filesystem::path& file : outputs.files) {
+        if (endingOf(file) != ".png" && endingOf(file) != ".exr") {
+            throw Error(ErrorKind::kUsage, {file.string(), ""},
+                        "the ending says no format; use .png or .exr");
+        }
+        // Opening one now, uncommitted, shows in time what would fail after the work.
+        const TemporaryFile probe(file);
+    }
+}
+
+FrameLayers parseLayers(const std::string& text) {
+    FrameLayers layers;
+    std::istringstream names(text);
+    std::string name;
+    while (std::getline(names, name, ',')) {
+        if (name == "beams") {
+            layers.beams = true;
+        } else if (name == "transmittance") {
+            layers.transmittance = true;
+        } else if (name == "depth") {
+            layers.depth = true;
+        } else if (name == "normal") {
+            layers.normal = true;
+        } else {
+            throw CLI::ValidationError(
+                "--aov", "'" + name + "' is none of beams, transmittance, depth, normal");
+        }
+    }
+    return layers;
+}
+
+void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan,
+                  const FrameTargets& targets) {
+    std::optional<FloatImage> frame;
+    for (const std::filesystem::path& file : outputs.files) {
+        if (endingOf(file) == ".png") {
+            writePng(file, plan.settings.width, plan.settings.height, readDisplay(targets));
+            continue;
+        }
+        if (!frame) {
+            frame = readFrame(plan, targets, outputs.layers);
+        }
+        writeExr(file, *frame);
+    }
+}
+
+}  // namespace ribalta

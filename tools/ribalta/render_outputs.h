@@ -1,0 +1,33 @@
+// The files a render writes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/frame_settings.h"
+#include "render/read_frame.h"
+#include "render/renderer.h"
+
+namespace ribalta {
+
+/// What `-o` and `--aov` ask for.
+struct RenderOutputs {
+    std::vector<std::filesystem::path> files;
+    FrameLayers layers;
+
+    bool wantsPng() const;
+    bool wantsExr() const;
+};
+
+/// Throws Error(kUsage) for an ending other than .png or .exr, Error(kJobFailed) for a folder that
+/// is not there or cannot be written, before any work is done.
+void checkOutputs(const RenderOutputs& outputs);
+
+/// "beams,depth" into layers; throws CLI::ValidationError that lists them.
+FrameLayers parseLayers(const std::string& text);
+
+/// Writes the renderer's last frame. Throws Error(kJobFailed).
+void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan, const FrameTargets& targets);
+
+}  // namespace ribalta

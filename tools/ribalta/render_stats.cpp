@@ -1,0 +1,111 @@
+#include "render_stats.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "base/temporary_file.h"
+
+namespace ribalta {
+namespace {
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0.0;
+    }
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+nlohmann::json toJson(const FrameTimes& frame) {
+    nlohmann::json passes = nlohmann::json::array();
+    for (const PassTime& pass : frame.passes) {
+        passes.push_back({{"name", pass.name}, {"cpu_ms", pass.cpuMs}, {"gpu_ms", pass.gpuMs}});
+    }
+    return passes;
+}
+
+std::string row(const std::string& name, double cpuMs, double gpuMs) {
+    char line[128];
+    std::snprintf(line, sizeof line, "  %-12s %9.2f %9.2f\n", name.c_str(), cpuMs, gpuMs);
+    return line;
+}
+
+}  // namespace
+
+FrameTimes medianTimes(const std::vector<FrameTimes>& frames) {
+    FrameTimes result;
+    std::vector<double> whole;
+    std::vector<std::string> names;
+    for (const FrameTimes& frame : frames) {
+        whole.push_back(frame.frameMs);
+        for (const PassTime& pass : frame.passes) {
+            if (std::find(names.begin(), names.end(), pass.name) == names.end()) {
+                names.push_back(pass.name);
+            }
+        }
+    }
+    result.frameMs = median(whole);
+    for (const std::string& name : names) {
+        std::vector<double> cpu;
+        std::vector<double> gpu;
+        for (const FrameTimes& frame : frames) {
+            for (const PassTime& pass : frame.passes) {
+                if (pass.name == name) {
+                    cpu.push_back(pass.cpuMs);
+                    gpu.push_back(pass.gpuMs);
+                }
+            }
+        }
+        result.passes.push_back({name, median(cpu), median(gpu)});
+    }
+    return result;
+}
+
+std::string describeTimes(const RenderStats& stats) {
+    const FrameTimes times = medianTimes(stats.frames);
+    std::string text = "  pass          cpu ms    gpu ms\n";
+    for (const PassTime& pass : times.passes) {
+        text += row(pass.name, pass.cpuMs, pass.gpuMs);
+    }
+    char line[160];
+    std::snprintf(line, sizeof line, "  frame %.2f ms%s, first frame %.2f ms\n", times.frameMs,
+                  stats.frames.size() > 1
+                      ? (" (median of " + std::to_string(stats.frames.size()) + ")").c_str()
+                      : "",
+                  stats.frames.front().frameMs);
+    return text + line;
+}
+
+void writeStats(const std::filesystem::path& file, const RenderStats& stats) {
+    const FrameTimes times = medianTimes(stats.frames);
+    nlohmann::json load = nlohmann::json::array();
+    for (const LoadedScene::Stage& stage : stats.load) {
+        load.push_back({{"stage", stage.name}, {"ms", stage.ms}});
+    }
+    nlohmann::json json = {
+        {"plan", stats.plan},
+        {"renderer", stats.renderer},
+        {"frame_ms", times.frameMs},
+        {"first_frame_ms", stats.frames.front().frameMs},
+        {"repeats", stats.frames.size()},
+        {"passes", toJson(times)},
+        {"first_frame_passes", toJson(stats.frames.front())},
+        {"counters",
+         {{"lamps_drawn", stats.lampsDrawn},
+          {"lamps_skipped", stats.lampsSkipped},
+          {"shadow_maps_drawn", stats.shadowMapsDrawn},
+          {"shadow_maps_kept", stats.shadowMapsKept},
+          {"draw_calls", stats.drawCalls},
+          {"samples", stats.samples},
+          {"programs_built", stats.programsBuilt},
+          {"textures_made", stats.texturesMade}}},
+        {"load", load},
+        {"peak_bytes", stats.peakBytes},
+        {"ev100", stats.ev100 ? nlohmann::json(*stats.ev100) : nlohmann::json()}};
+    writeFileAtomically(file, json.dump(2) + "\n");
+}
+
+}  // namespace ribalta

@@ -1,0 +1,48 @@
+// What a render took, as people read it and as JSON.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/timer.h"
+#include "gltf/load_gltf.h"
+#include "render/frame_plan.h"
+
+namespace ribalta {
+
+/// One drawn frame: from planning to the last pixel, and its passes.
+struct FrameTimes {
+    double frameMs = 0.0;
+    std::vector<PassTime> passes;
+};
+
+struct RenderStats {
+    std::string plan;      ///< of the first frame
+    std::string renderer;  ///< OpenGL's name of it
+    std::vector<FrameTimes> frames;
+    std::vector<LoadedScene::Stage> load;
+    /// Of the last frame.
+    int lampsDrawn = 0;
+    int lampsSkipped = 0;
+    int shadowMapsDrawn = 0;      ///< over all frames
+    int shadowMapsKept = 0;       ///< over all frames
+    std::uint64_t drawCalls = 0;  ///< over all frames
+    std::uint64_t samples = 0;    ///< of the last frame
+    std::uint64_t programsBuilt = 0;
+    std::uint64_t texturesMade = 0;
+    std::uint64_t peakBytes = 0;
+    std::optional<double> ev100;
+};
+
+/// The medians over the frames, pass by pass; a pass that only some frames had counts in those.
+FrameTimes medianTimes(const std::vector<FrameTimes>& frames);
+
+/// A table for people.
+std::string describeTimes(const RenderStats& stats);
+
+/// Writes the statistics as JSON; see the README for its keys. Throws Error(kJobFailed).
+void writeStats(const std::filesystem::path& file, const RenderStats& stats);
+
+}  // namespace ribalta
