@@ -26,6 +26,9 @@ function(ribalta_module NAME)
     target_include_directories(ribalta_${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/src)
 endfunction()
 
+# All tests that need no OpenGL: what the sanitized build is made for.
+add_custom_target(cpu_tests)
+
 # ribalta_test(NAME LABEL unit|gpu|images|corpus SOURCES ... LINKS ...): a GoogleTest program whose
 # cases CTest runs one by one.
 function(ribalta_test NAME)
@@ -37,6 +40,9 @@ function(ribalta_test NAME)
     target_compile_definitions(
         ${NAME} PRIVATE RIBALTA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                         RIBALTA_BINARY_DIR="${PROJECT_BINARY_DIR}")
+    if(ARG_LABEL MATCHES "^(unit|corpus)$")
+        add_dependencies(cpu_tests ${NAME})
+    endif()
     gtest_discover_tests(
         ${NAME}
         TEST_PREFIX "${NAME}."

@@ -13,7 +13,7 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-std::vector<unsigned char> encode(const char* format, ImageSpec spec, TypeDesc type,
+std::vector<unsigned char> encode(const char* format, ImageSpec spec, const TypeDesc& type,
                                   const void* values) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput sink(bytes);
