@@ -39,6 +39,9 @@ vec3 schlickFresnel(vec3 f0, float vDotH) {
 
 /// f in 1/sr. baseColor linear 0..1, metallic and roughness 0..1; the cosines between unit normal,
 /// light, view and half vector. Black where light or eye are below the surface.
+/// A highlight alone gives back no more than it gets. The standard's mix of the two by V.H does:
+/// a white dielectric returns up to 1.05 of even light on the whole, and towards grazing eyes
+/// 1.8 (mirror-smooth) to 1.01 (roughness 1) of it.
 vec3 metallicRoughnessBrdf(vec3 baseColor, float metallic, float roughness, float nDotL,
                            float nDotV, float nDotH, float vDotH) {
     if (nDotL <= 0.0 || nDotV <= 0.0) {

@@ -31,7 +31,7 @@ int phaseKind(PhaseFunction::Kind kind) {
         case PhaseFunction::Kind::kRayleigh:
             return shader::kPhaseRayleigh;
     }
-    CHECK(!"a phase function that is none of the enumerators");
+    checkFailed("a known PhaseFunction::Kind", __FILE__, __LINE__);
 }
 
 struct Interval {

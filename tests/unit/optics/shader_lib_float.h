@@ -1,0 +1,41 @@
+// The shaders' own mathematics as C++ in single precision: shader_float::f. Includes the copies of
+// shaders/lib whose literals the build has made floats. For one test file's own use.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+namespace ribalta::shader_float {
+namespace {
+
+using glm::abs;
+using glm::clamp;
+using glm::cross;
+using glm::dot;
+using glm::exp;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::pow;
+using glm::sqrt;
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+
+// clang-format off
+#define OUT(T) T&
+#include "phase_function.glsl"
+#include "spot_light.glsl"
+#include "haze.glsl"
+#include "beam_radiance.glsl"
+#include "beam_geometry.glsl"
+#include "brdf.glsl"
+#include "tonemap.glsl"
+#undef OUT
+// clang-format on
+
+}  // namespace
+}  // namespace ribalta::shader_float
+
+#pragma GCC diagnostic pop
