@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -29,8 +30,12 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
 
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < std::min(cores, count); ++i) {
-        helpers.emplace_back(work);
+    try {
+        for (std::size_t i = 1; i < std::min(cores, count); ++i) {
+            helpers.emplace_back(work);
+        }
+    } catch (const std::system_error&) {
+        // No more threads to be had: the ones there are do all the work, this one among them.
     }
     work();
     helpers.clear();  // joins

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <string>
 
@@ -32,7 +33,13 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t
                         std::to_string(limitBytes));
     }
     std::ifstream stream(path, std::ios::binary);
-    std::vector<std::byte> bytes(size);
+    std::vector<std::byte> bytes;
+    try {
+        bytes.resize(size);
+    } catch (const std::exception&) {
+        throw Error(ErrorKind::kBadInput, place,
+                    "has " + std::to_string(size) + " bytes, which do not fit into memory");
+    }
     if (!stream ||
         !stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
         throw Error(ErrorKind::kBadInput, place,

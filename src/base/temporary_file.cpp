@@ -22,12 +22,20 @@ namespace {
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(target) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(target, ignored)) {
+    std::error_code missing;
+    const auto status = std::filesystem::status(target, missing);
+    if (std::filesystem::is_directory(status)) {
         failed(target, "it is a folder; give a file name");
     }
-    const std::string extension = target.extension().string();
-    std::string name = target.string();
+    // The rename would put a file in the place of a device, or of a link instead of what it names.
+    if (std::filesystem::exists(status)) {
+        if (!std::filesystem::is_regular_file(status)) {
+            failed(target, "it is not a regular file; give a file name");
+        }
+        target_ = std::filesystem::canonical(target, missing);
+    }
+    const std::string extension = target_.extension().string();
+    std::string name = target_.string();
     name.resize(name.size() - extension.size());
     name += ".XXXXXX" + extension;
     const int file = mkstemps(name.data(), static_cast<int>(extension.size()));

@@ -11,7 +11,8 @@ namespace ribalta {
 class TemporaryFile {
   public:
     /// Creates the temporary file. Throws Error(kJobFailed) that names `target` where its folder
-    /// is missing or cannot be written, or where `target` is a folder.
+    /// is missing or cannot be written, or where `target` is a folder or a device. A link is
+    /// followed.
     explicit TemporaryFile(const std::filesystem::path& target);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/check.h"
+
 namespace ribalta {
 
 glm::dvec2 viewHalfExtent(const Camera& camera, int width, int height) {
@@ -41,6 +43,7 @@ glm::dmat4 clipFromWorld(const Camera& camera, int width, int height) {
     clip[0][0] = 1.0 / half.x;
     clip[1][1] = 1.0 / half.y;
     if (camera.isOrthographic()) {
+        CHECK(std::isfinite(f));
         // depth = (far - distance) / (far - near): 1 at near, 0 at far.
         clip[2][2] = 1.0 / (f - n);
         clip[3][2] = f / (f - n);

@@ -15,7 +15,7 @@ namespace ribalta {
 
 struct PerspectiveLens {
     double verticalFov = 0.8;           ///< radians, whole angle
-    std::optional<double> aspectRatio;  ///< the author's; see viewportLens
+    std::optional<double> aspectRatio;  ///< the author's; see viewHalfExtent
 };
 
 struct OrthographicLens {
@@ -29,7 +29,7 @@ struct Camera {
     Frame frame;
     std::variant<PerspectiveLens, OrthographicLens> lens;
     double nearMetres = 0.1;
-    double farMetres = std::numeric_limits<double>::infinity();
+    double farMetres = std::numeric_limits<double>::infinity();  ///< finite where orthographic
 
     bool isOrthographic() const { return std::holds_alternative<OrthographicLens>(lens); }
 };

@@ -21,6 +21,7 @@ struct Frame {
 Frame rigidFrame(const glm::dmat4& worldFromLocal);
 
 /// A frame at `position` that looks at `target`; `up` is a hint and may be parallel to the view.
+/// Without a direction to look in (`target` is `position`) it looks along -Z.
 Frame lookAt(const glm::dvec3& position, const glm::dvec3& target,
              const glm::dvec3& up = {0.0, 1.0, 0.0});
 

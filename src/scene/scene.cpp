@@ -22,9 +22,14 @@ Frame rigidFrame(const glm::dmat4& worldFromLocal) {
 }
 
 Frame lookAt(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up) {
+    if (position == target) {
+        return {position, glm::dmat3(1.0)};
+    }
     const glm::dvec3 z = glm::normalize(position - target);
-    const bool parallel = glm::length(glm::cross(up, z)) < 1e-6 * glm::length(up);
-    const glm::dvec3 hint = parallel ? glm::dvec3(0.0, 0.0, z.y > 0.0 ? -1.0 : 1.0) : up;
+    const bool parallel = glm::length(glm::cross(up, z)) <= 1e-6 * glm::length(up);
+    const glm::dvec3 other = std::abs(z.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0)
+                                                 : glm::dvec3(0.0, 0.0, z.y > 0.0 ? -1.0 : 1.0);
+    const glm::dvec3 hint = parallel ? other : up;
     const glm::dvec3 x = glm::normalize(glm::cross(hint, z));
     return {position, glm::dmat3(x, glm::cross(z, x), z)};
 }
