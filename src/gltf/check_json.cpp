@@ -3,6 +3,7 @@
 #include "gltf/bad_input.h"
 #include "gltf/import.h"
 #include "gltf/json_rules.h"
+#include "gltf/mend_light.h"
 #include "gltf/where.h"
 
 namespace ribalta::gltf {
@@ -35,9 +36,10 @@ void checkLights(json& root, const Where& rootWhere, Report& report) {
         }
         try {
             checkMembers(light, lightRules(), here, root, report);
-        } catch (const Error& error) {
-            report.ignored(error.place(),
-                           reasonOf(error) + "; the lamps that use this light are left out");
+            mendLight(light, here, report);
+        } catch (const JsonFault& fault) {
+            report.ignored(fault.place,
+                           fault.message + "; the lamps that use this light are left out");
             light = nullptr;
         }
     }
@@ -47,7 +49,11 @@ void checkLights(json& root, const Where& rootWhere, Report& report) {
 
 void checkJson(json& root, const Place& file, Report& report) {
     const Where where(file);
-    checkMembers(root, gltfRules(), where, root, report);
+    try {
+        checkMembers(root, gltfRules(), where, root, report);
+    } catch (const JsonFault& fault) {
+        badInput(fault.place, fault.message + "; export the file again or mend it there");
+    }
     checkLights(root, where, report);
 }
 

@@ -16,6 +16,8 @@ constexpr double kMaxEmission = 1e12;
 
 const JsonRule kName{.key = "name", .is = Is::kString, .onFault = On::kRepair};
 
+const JsonRule kExtensions{.key = "extensions", .is = Is::kObject, .onFault = On::kRepair};
+
 const JsonRule kAssetRules[] = {
     {.key = "version", .is = Is::kString, .required = true},
     {.key = "minVersion", .is = Is::kString},
@@ -23,6 +25,7 @@ const JsonRule kAssetRules[] = {
 const JsonRule kSceneRules[] = {kName, {.key = "nodes", .is = Is::kIndices, .into = "nodes"}};
 const JsonRule kNodeRules[] = {
     kName,
+    kExtensions,
     {.key = "children", .is = Is::kIndices, .into = "nodes"},
     {.key = "mesh", .is = Is::kIndex, .into = "meshes"},
     {.key = "camera", .is = Is::kIndex, .into = "cameras"},
@@ -32,6 +35,7 @@ const JsonRule kNodeRules[] = {
     {.key = "scale", .is = Is::kNumbers, .length = 3},
 };
 const JsonRule kPrimitiveRules[] = {
+    kExtensions,
     {.key = "attributes", .is = Is::kIndexMap, .required = true, .into = "accessors"},
     {.key = "indices", .is = Is::kIndex, .into = "accessors"},
     {.key = "material", .is = Is::kIndex, .onFault = On::kRepair, .into = "materials"},
@@ -82,6 +86,7 @@ const JsonRule kBufferViewRules[] = {
 };
 
 const JsonRule kTextureRules[] = {
+    kExtensions,
     {.key = "index", .is = Is::kIndex, .required = true, .into = "textures"},
     {.key = "texCoord", .is = Is::kInteger, .low = 0, .high = 1000},
     {.key = "scale", .is = Is::kNumber, .onFault = On::kRepair, .low = -1e6, .high = 1e6},
@@ -144,6 +149,7 @@ const JsonRule kMaterialRules[] = {
 
 const JsonRule kTextureObjectRules[] = {
     kName,
+    kExtensions,
     {.key = "sampler", .is = Is::kIndex, .onFault = On::kRepair, .into = "samplers"},
     {.key = "source", .is = Is::kIndex, .onFault = On::kRepair, .into = "images"},
 };
@@ -185,6 +191,7 @@ const JsonRule kCameraRules[] = {
 };
 
 const JsonRule kGltfRules[] = {
+    kExtensions,
     {.key = "asset", .is = Is::kObject, .required = true, .members = kAssetRules},
     {.key = "extensionsUsed", .is = Is::kStrings, .onFault = On::kRepair},
     {.key = "extensionsRequired", .is = Is::kStrings},

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "gltf/bad_input.h"
 #include "gltf/import.h"
 
 namespace ribalta::gltf {
@@ -14,12 +13,6 @@ namespace {
 using nlohmann::json;
 using Is = JsonRule::Is;
 using OnFault = JsonRule::OnFault;
-
-// A fault inside one member; `where` is as precise as the check can be.
-struct Fault {
-    Place place;
-    std::string message;
-};
 
 std::string shown(const json& value) {
     if (value.is_primitive()) {
@@ -57,39 +50,39 @@ bool makeInteger(json& value) {
 
 void checkInteger(json& value, const JsonRule& rule, const Where& where) {
     if (!makeInteger(value)) {
-        throw Fault{where.place(), "is " + shown(value) + ", expected an integer"};
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected an integer"};
     }
     const auto number = value.get<std::int64_t>();
     if (double(number) < rule.low || double(number) > rule.high) {
-        throw Fault{where.place(),
-                    "is " + std::to_string(number) + ", expected " +
-                        (std::isinf(rule.high) ? "at least " + shown(rule.low)
-                                               : shown(rule.low) + " to " + shown(rule.high))};
+        throw JsonFault{where.place(),
+                        "is " + std::to_string(number) + ", expected " +
+                            (std::isinf(rule.high) ? "at least " + shown(rule.low)
+                                                   : shown(rule.low) + " to " + shown(rule.high))};
     }
     if (!rule.values.empty() &&
         std::find(rule.values.begin(), rule.values.end(), number) == rule.values.end()) {
-        throw Fault{where.place(),
-                    "is " + std::to_string(number) + ", which glTF 2.0 does not know"};
+        throw JsonFault{where.place(),
+                        "is " + std::to_string(number) + ", which glTF 2.0 does not know"};
     }
 }
 
 void checkIndex(json& value, const char* into, const Where& where, const json& root) {
     if (!makeInteger(value)) {
-        throw Fault{where.place(),
-                    "is " + shown(value) + ", expected an index into /" + std::string(into)};
+        throw JsonFault{where.place(),
+                        "is " + shown(value) + ", expected an index into /" + std::string(into)};
     }
     const auto number = value.get<std::int64_t>();
     const json& target = member(root, into);
     const std::size_t count = target.is_array() ? target.size() : 0;
     if (number < 0 || std::uint64_t(number) >= count) {
-        throw Fault{where.place(), "is " + std::to_string(number) + ", but the file has " +
-                                       std::to_string(count) + " " + into};
+        throw JsonFault{where.place(), "is " + std::to_string(number) + ", but the file has " +
+                                           std::to_string(count) + " " + into};
     }
 }
 
 void checkNumber(json& value, const JsonRule& rule, const Where& where, Report& report) {
     if (!value.is_number()) {
-        throw Fault{where.place(), "is " + shown(value) + ", expected a number"};
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected a number"};
     }
     const double number = value.get<double>();
     const double clamped = std::clamp(number, rule.low, rule.high);
@@ -100,7 +93,7 @@ void checkNumber(json& value, const JsonRule& rule, const Where& where, Report& 
                              (std::isinf(rule.high) ? "of at least " + shown(rule.low)
                                                     : shown(rule.low) + " to " + shown(rule.high));
     if (rule.onFault == OnFault::kError) {
-        throw Fault{where.place(), what};
+        throw JsonFault{where.place(), what};
     }
     report.repaired(where.place(), what + "; " + shown(clamped) + " is used");
     value = clamped;
@@ -108,15 +101,15 @@ void checkNumber(json& value, const JsonRule& rule, const Where& where, Report& 
 
 void checkArrayOf(const json& value, const char* what, const Where& where) {
     if (!value.is_array()) {
-        throw Fault{where.place(), "is " + shown(value) + ", expected an array of " + what};
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected an array of " + what};
     }
 }
 
 void checkNumbers(json& value, const JsonRule& rule, const Where& where, Report& report) {
     checkArrayOf(value, "numbers", where);
     if (value.size() != rule.length) {
-        throw Fault{where.place(), "has " + std::to_string(value.size()) + " numbers, expected " +
-                                       std::to_string(rule.length)};
+        throw JsonFault{where.place(), "has " + std::to_string(value.size()) +
+                                           " numbers, expected " + std::to_string(rule.length)};
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
         checkNumber(value[i], rule, Where(where, i), report);
@@ -125,7 +118,7 @@ void checkNumbers(json& value, const JsonRule& rule, const Where& where, Report&
 
 void checkString(const json& value, const JsonRule& rule, const Where& where) {
     if (!value.is_string()) {
-        throw Fault{where.place(), "is " + shown(value) + ", expected a string"};
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected a string"};
     }
     const auto& text = value.get_ref<const std::string&>();
     if (!rule.words.empty() &&
@@ -134,14 +127,14 @@ void checkString(const json& value, const JsonRule& rule, const Where& where) {
         for (const std::string_view word : rule.words) {
             known += (known.empty() ? "" : ", ") + std::string(word);
         }
-        throw Fault{where.place(), "is " + shown(value) + ", expected one of " + known};
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected one of " + known};
     }
 }
 
 void checkObject(json& value, const JsonRule& rule, const Where& where, const json& root,
                  Report& report) {
     if (!value.is_object()) {
-        throw Fault{where.place(), "is " + shown(value) + ", expected an object"};
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected an object"};
     }
     checkMembers(value, rule.members, where, root, report);
 }
@@ -155,7 +148,7 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
             return checkInteger(value, rule, where);
         case Is::kBool:
             if (!value.is_boolean()) {
-                throw Fault{where.place(), "is " + shown(value) + ", expected true or false"};
+                throw JsonFault{where.place(), "is " + shown(value) + ", expected true or false"};
             }
             return;
         case Is::kString:
@@ -168,7 +161,7 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
             return checkObject(value, rule, where, root, report);
         case Is::kIndexMap:
             if (!value.is_object()) {
-                throw Fault{where.place(), "is " + shown(value) + ", expected an object"};
+                throw JsonFault{where.place(), "is " + shown(value) + ", expected an object"};
             }
             for (auto& [key, index] : value.items()) {
                 checkIndex(index, rule.into, Where(where, key), root);
@@ -209,15 +202,15 @@ void checkMembers(json& object, std::span<const JsonRule> rules, const Where& wh
         try {
             if (found == object.end()) {
                 if (rule.required) {
-                    throw Fault{where.place(),
-                                "lacks \"" + std::string(rule.key) + "\", which glTF 2.0 requires"};
+                    throw JsonFault{where.place(), "lacks \"" + std::string(rule.key) +
+                                                       "\", which glTF 2.0 requires"};
                 }
                 continue;
             }
             checkValue(*found, rule, here, root, report);
-        } catch (const Fault& fault) {
+        } catch (const JsonFault& fault) {
             if (rule.onFault == OnFault::kError) {
-                badInput(fault.place, fault.message + "; export the file again or mend it there");
+                throw;
             }
             report.repaired(fault.place, fault.message + "; the default is used");
             if (found != object.end()) {

@@ -47,8 +47,15 @@ struct JsonRule {
     std::span<const JsonRule> members{};
 };
 
+/// What a document has that cannot be mended where it stands. Thrown; becomes an Error or a line of
+/// the report, as the caller decides.
+struct JsonFault {
+    Place place;
+    std::string message;
+};
+
 /// Checks and mends the members of `object` that have a rule; others are left alone. `root` is the
-/// whole document. Throws Error(kBadInput).
+/// whole document. Throws JsonFault.
 void checkMembers(nlohmann::json& object, std::span<const JsonRule> rules, const Where& where,
                   const nlohmann::json& root, Report& report);
 

@@ -18,6 +18,7 @@
 #include "gltf/read_material.h"
 #include "gltf/read_mesh.h"
 #include "gltf/read_nodes.h"
+#include "gltf/report_oddities.h"
 #include "gltf/report_unread.h"
 
 namespace ribalta {
@@ -73,7 +74,8 @@ std::vector<std::size_t> chooseMeshes(std::vector<Node>& nodes, std::size_t mesh
     return chosen;
 }
 
-void loadMeshes(const Import& import, Scene& scene, Report& report) {
+// Returns the glTF's indices of the scene's meshes.
+std::vector<std::size_t> loadMeshes(const Import& import, Scene& scene, Report& report) {
     NormalMapUvs normalMapUvs;
     for (std::size_t i = 0; i < import.model.materials.size(); ++i) {
         normalMapUvs.push_back(normalMapUvOf(import, i));
@@ -81,6 +83,7 @@ void loadMeshes(const Import& import, Scene& scene, Report& report) {
     normalMapUvs.push_back(-1);
     const std::vector<std::size_t> chosen = chooseMeshes(scene.nodes, import.model.meshes.size());
     scene.meshes = readMeshes(import, chosen, normalMapUvs, report);
+    return chosen;
 }
 
 // The materials that the meshes use, in the file's order; the primitives' indices become the
@@ -153,7 +156,8 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     import.buffers = readBuffers(import.json, import.file, import.folder, container.bin);
     watch.lap("buffers");
 
-    loadMeshes(import, scene, report);
+    const std::vector<std::size_t> meshes = loadMeshes(import, scene, report);
+    reportDataOddities(import, meshes, report);
     watch.lap("meshes");
 
     ImageTable images(import);
@@ -164,7 +168,9 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     scene.images = images.decode(report);
     watch.lap("images");
 
+    reportSceneOddities(import, meshes, scene, report);
     placeNodes(scene);
+    watch.lap("place");
     return loaded;
 }
 

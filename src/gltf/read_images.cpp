@@ -77,6 +77,9 @@ Image ImageTable::decodeOne(const Request& request) const {
         try {
             return decodeImage(readFile(path), place);
         } catch (const Error& error) {
+            if (error.kind() != ErrorKind::kBadInput) {
+                throw;
+            }
             // The picture's own path says more than where it is named; both are in the report.
             badInput(place, error.place().file == place.file
                                 ? "\"" + request.name + "\": " + reasonOf(error)
@@ -110,6 +113,9 @@ std::vector<Image> ImageTable::decode(Report& report) const {
             images[i] = decodeOne(requests_[i]);
             images[i].name = requests_[i].name;
         } catch (const Error& error) {
+            if (error.kind() != ErrorKind::kBadInput) {
+                throw;  // no fault of the picture's: the reader of pictures is missing
+            }
             faults[i] = error;
             images[i] = makeStandInImage(requests_[i].name);
         }

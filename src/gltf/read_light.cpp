@@ -1,7 +1,7 @@
 #include "gltf/read_light.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -59,38 +59,8 @@ glm::vec3 colorOf(const Lamp& lamp) {
                : glm::vec3(color[0].get<float>(), color[1].get<float>(), color[2].get<float>());
 }
 
-double rangeOf(const Lamp& lamp, Report& report) {
-    const double unlimited = std::numeric_limits<double>::infinity();
-    const double range = numberOr(lamp.light, "range", unlimited);
-    if (range > 0.0) {
-        return range;
-    }
-    report.repaired(lamp.lightPlace.at("range"),
-                    "is " + json(range).dump() + ", expected more than 0; it is unlimited");
-    return unlimited;
-}
-
-void readCone(const Lamp& lamp, SpotLight& spot, Report& report) {
-    const json& source = member(lamp.light, "spot");
-    const Place place = lamp.lightPlace.at("spot");
-    if (source.is_null()) {
-        report.repaired(lamp.lightPlace, "is a spot without \"spot\"; the default cone is used");
-    }
-    const double outer = numberOr(source, "outerConeAngle", spot.outerConeAngle);
-    const double inner = numberOr(source, "innerConeAngle", 0.0);
-    spot.outerConeAngle = std::clamp(outer, kMinConeAngle, kMaxConeAngle);
-    if (spot.outerConeAngle != outer) {
-        report.repaired(place.at("outerConeAngle"),
-                        "is " + json(outer).dump() + " radians, drawn as " +
-                            json(spot.outerConeAngle).dump() + "; 0.5 to 80 degrees are drawn");
-    }
-    spot.innerConeAngle = std::min(inner, spot.outerConeAngle);
-    if (inner >= outer) {
-        report.repaired(place.at("innerConeAngle"),
-                        "is " + json(inner).dump() +
-                            " radians, expected less than the outer angle; it is drawn with a "
-                            "hard edge");
-    }
+double rangeOf(const Lamp& lamp) {
+    return numberOr(lamp.light, "range", std::numeric_limits<double>::infinity());
 }
 
 std::optional<int> lightMapImage(const Property& property, const Import& import, ImageTable& images,
@@ -201,8 +171,9 @@ void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTab
         spot.node = sceneNode;
         spot.color = colorOf(lamp);
         spot.intensityCandela = intensity;
-        spot.rangeMetres = rangeOf(lamp, report);
-        readCone(lamp, spot, report);
+        spot.rangeMetres = rangeOf(lamp);
+        spot.innerConeAngle = lamp.light["spot"]["innerConeAngle"].get<double>();
+        spot.outerConeAngle = lamp.light["spot"]["outerConeAngle"].get<double>();
         spot.beamShape = beamShapeOf(lamp, report);
         const double rotation = rotationOf(lamp, report);
         if (const auto property = lightMapOf(lamp)) {
@@ -218,7 +189,7 @@ void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTab
         point.node = sceneNode;
         point.color = colorOf(lamp);
         point.intensityCandela = intensity;
-        point.rangeMetres = rangeOf(lamp, report);
+        point.rangeMetres = rangeOf(lamp);
         scene.pointLights.push_back(std::move(point));
     } else {
         refuseLightMap(lamp, "directional", report);

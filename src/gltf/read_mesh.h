@@ -10,7 +10,7 @@
 namespace ribalta::gltf {
 
 /// Most vertices and indices of all primitives together.
-inline constexpr std::uint64_t kMaxVerticesAndIndices = std::uint64_t(1) << 29U;
+inline constexpr std::uint64_t kMaxVerticesAndIndices = std::uint64_t(1) << 27U;
 
 /// Which texture coordinates a material's normal map uses: -1 none, 0, 1. One a material, and one
 /// more at the end for primitives without a material.

@@ -39,6 +39,10 @@ glm::dquat rotationOf(const std::vector<double>& numbers, const Place& place, Re
         report.repaired(place.at("rotation"), "is no rotation; the node is not turned");
         return {1.0, 0.0, 0.0, 0.0};
     }
+    if (std::abs(length - 1.0) > 1e-2) {
+        report.repaired(place.at("rotation"), "has the length " + std::to_string(length) +
+                                                  ", expected 1; it is brought to that");
+    }
     return rotation / length;
 }
 

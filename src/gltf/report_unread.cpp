@@ -1,44 +1,15 @@
 #include "gltf/report_unread.h"
 
-#include <map>
 #include <string>
-#include <utility>
 
 #include "gltf/check_extensions.h"
+#include "gltf/tally.h"
 #include "gltf/where.h"
 
 namespace ribalta::gltf {
 namespace {
 
 using nlohmann::json;
-
-// Counts a feature's places and keeps the first.
-class Tally {
-  public:
-    void add(const std::string& feature, const Where& where) {
-        auto [entry, isNew] = features_.try_emplace(feature);
-        if (isNew) {
-            entry->second.first = where.place();
-        }
-        ++entry->second.count;
-    }
-
-    void report(const std::string& fate, Report& report) const {
-        for (const auto& [feature, seen] : features_) {
-            const std::string more =
-                seen.count > 1 ? " (" + std::to_string(seen.count) + " places, this is the first)"
-                               : std::string();
-            report.ignored(seen.first, feature + fate + more);
-        }
-    }
-
-  private:
-    struct Seen {
-        Place first;
-        std::size_t count = 0;
-    };
-    std::map<std::string, Seen> features_;
-};
 
 // JSON is nested at most kMaxJsonDepth deep, so recursion is.
 void tallyExtensions(const json& value, const Where& where, Tally& tally) {
@@ -116,11 +87,11 @@ void reportUnread(const Import& import, Report& report) {
     Tally attributes;
     Tally morphs;
     tallyPrimitives(import.json, root, attributes, morphs);
-    morphs.report(" are not applied", report);
-    attributes.report(" is not drawn", report);
+    morphs.tell(Report::Kind::kIgnored, " are not applied", report);
+    attributes.tell(Report::Kind::kIgnored, " is not drawn", report);
     Tally extensions;
     tallyExtensions(import.json, root, extensions);
-    extensions.report(" is not supported and not drawn", report);
+    extensions.tell(Report::Kind::kIgnored, " is not supported and left out", report);
 }
 
 }  // namespace ribalta::gltf

@@ -1,0 +1,216 @@
+#include "support/scene_faults.h"
+
+#include <cmath>
+#include <cstddef>
+
+namespace ribalta::test {
+namespace {
+
+class Faults {
+  public:
+    void check(bool holds, const std::string& what) {
+        if (!holds && lines_.size() < 20) {
+            lines_.push_back(what);
+        }
+    }
+
+    void checkIndex(int index, std::size_t count, const std::string& what) {
+        check(index >= -1 && index < int(count), what + " is out of range");
+    }
+
+    template <typename T>
+    void checkFinite(const T& vector, const std::string& what) {
+        for (int c = 0; c < T::length(); ++c) {
+            check(std::isfinite(vector[c]), what + " is not finite");
+        }
+    }
+
+    std::vector<std::string> take() { return std::move(lines_); }
+
+  private:
+    std::vector<std::string> lines_;
+};
+
+void checkMatrix(const glm::dmat4& matrix, const std::string& what, Faults& faults) {
+    for (int column = 0; column < 4; ++column) {
+        faults.checkFinite(matrix[column], what);
+    }
+}
+
+template <typename T>
+void checkArray(const std::vector<T>& values, std::size_t count, const std::string& what,
+                Faults& faults) {
+    faults.check(values.empty() || values.size() == count, what + " has the wrong length");
+    for (const T& value : values) {
+        faults.checkFinite(value, what);
+    }
+}
+
+void checkPrimitive(const Primitive& primitive, std::size_t materials, const std::string& what,
+                    Faults& faults) {
+    const std::size_t count = primitive.positions.size();
+    faults.check(count > 0 && !primitive.indices.empty(), what + " draws nothing");
+    checkArray(primitive.positions, count, what + " positions", faults);
+    checkArray(primitive.normals, count, what + " normals", faults);
+    checkArray(primitive.tangents, count, what + " tangents", faults);
+    checkArray(primitive.uv0, count, what + " uv0", faults);
+    checkArray(primitive.uv1, count, what + " uv1", faults);
+    checkArray(primitive.colors, count, what + " colors", faults);
+    for (const std::uint32_t index : primitive.indices) {
+        faults.check(index < count, what + " index is out of range");
+    }
+    for (const glm::vec3& normal : primitive.normals) {
+        faults.check(std::abs(glm::length(normal) - 1.0F) < 1e-3F, what + " normal is not unit");
+    }
+    for (const glm::vec4& tangent : primitive.tangents) {
+        const float length = glm::length(glm::vec3(tangent.x, tangent.y, tangent.z));
+        faults.check(std::abs(length - 1.0F) < 1e-3F, what + " tangent is not unit");
+        faults.check(std::abs(tangent.w) == 1.0F, what + " tangent has no side");
+    }
+    const std::size_t corners = primitive.topology == Topology::kTriangles ? 3
+                                : primitive.topology == Topology::kLines   ? 2
+                                                                           : 1;
+    faults.check(primitive.indices.size() % corners == 0, what + " ends within a piece");
+    faults.check(primitive.topology != Topology::kTriangles || !primitive.normals.empty(),
+                 what + " has triangles without normals");
+    faults.checkIndex(primitive.material, materials, what + " material");
+    faults.checkFinite(primitive.bounds.low, what + " bounds");
+    faults.checkFinite(primitive.bounds.high, what + " bounds");
+}
+
+void checkMaterial(const Material& material, std::size_t textures, const std::string& what,
+                   Faults& faults) {
+    faults.checkFinite(material.baseColor, what + " baseColor");
+    faults.checkFinite(material.emission, what + " emission");
+    faults.check(material.metallic >= 0.0F && material.metallic <= 1.0F, what + " metallic");
+    faults.check(material.roughness >= 0.0F && material.roughness <= 1.0F, what + " roughness");
+    faults.check(std::isfinite(material.normalScale), what + " normalScale");
+    faults.check(std::isfinite(material.occlusionStrength), what + " occlusionStrength");
+    faults.check(std::isfinite(material.alphaCutoff), what + " alphaCutoff");
+    for (const auto* slot :
+         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+          &material.occlusionTexture, &material.emissiveTexture}) {
+        if (!*slot) {
+            continue;
+        }
+        faults.check((*slot)->texture >= 0 && (*slot)->texture < int(textures), what + " texture");
+        faults.check((*slot)->uvSet == 0 || (*slot)->uvSet == 1, what + " uvSet");
+        for (int column = 0; column < 3; ++column) {
+            faults.checkFinite((*slot)->textureFromUv[column], what + " textureFromUv");
+        }
+    }
+}
+
+void checkFrame(const Frame& frame, const std::string& what, Faults& faults) {
+    faults.checkFinite(frame.position, what + " position");
+    const glm::dmat3 product = glm::transpose(frame.worldFromLocal) * frame.worldFromLocal;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            faults.check(std::abs(product[column][row] - (column == row ? 1.0 : 0.0)) < 1e-6,
+                         what + " axes are not orthonormal");
+        }
+    }
+}
+
+void checkImage(const Image& image, const std::string& what, Faults& faults) {
+    faults.check(image.width > 0 && image.height > 0, what + " is empty");
+    faults.check(image.pixels.size() ==
+                     std::size_t(image.width) * std::size_t(image.height) * image.bytesPerPixel(),
+                 what + " has the wrong number of bytes");
+}
+
+void checkCamera(const Camera& camera, std::size_t nodes, Faults& faults) {
+    const std::string what = "camera " + camera.name;
+    faults.checkIndex(camera.node, nodes, what + " node");
+    checkFrame(camera.frame, what, faults);
+    faults.check(camera.farMetres > camera.nearMetres, what + " sees no depth");
+    faults.check(camera.nearMetres >= 0.0 && std::isfinite(camera.nearMetres), what + " near");
+    if (const auto* lens = std::get_if<PerspectiveLens>(&camera.lens)) {
+        faults.check(camera.nearMetres > 0.0, what + " near");
+        faults.check(lens->verticalFov > 0.0 && lens->verticalFov < 3.1415, what + " fov");
+        faults.check(!lens->aspectRatio || (*lens->aspectRatio > 0.0 && *lens->aspectRatio < 1e6),
+                     what + " aspect");
+    } else {
+        const auto& box = std::get<OrthographicLens>(camera.lens);
+        faults.check(box.halfWidth > 0.0 && box.halfHeight > 0.0, what + " extent");
+        faults.check(std::isfinite(box.halfWidth) && std::isfinite(box.halfHeight),
+                     what + " extent");
+    }
+}
+
+void checkLight(const glm::vec3& color, double intensity, const std::string& what, Faults& faults) {
+    faults.checkFinite(color, what + " color");
+    // What the renderer multiplies in single precision.
+    faults.check(intensity >= 0.0 && std::isfinite(float(intensity * 1e6)), what + " intensity");
+}
+
+void checkLamps(const Scene& scene, Faults& faults) {
+    for (const SpotLight& lamp : scene.spotLights) {
+        const std::string what = "spot " + lamp.name;
+        faults.checkIndex(lamp.node, scene.nodes.size(), what + " node");
+        checkFrame(lamp.frame, what, faults);
+        checkLight(lamp.color, lamp.intensityCandela, what, faults);
+        faults.check(lamp.rangeMetres > 0.0, what + " range");
+        faults.check(lamp.outerConeAngle >= kMinConeAngle && lamp.outerConeAngle <= kMaxConeAngle,
+                     what + " outer angle");
+        faults.check(lamp.innerConeAngle >= 0.0 && lamp.innerConeAngle <= lamp.outerConeAngle,
+                     what + " inner angle");
+        if (lamp.lightMap) {
+            faults.check(
+                lamp.lightMap->image >= 0 && lamp.lightMap->image < int(scene.images.size()),
+                what + " light map");
+            faults.check(std::isfinite(lamp.lightMap->rotationRadians), what + " rotation");
+        }
+    }
+    for (const PointLight& lamp : scene.pointLights) {
+        const std::string what = "point " + lamp.name;
+        faults.checkIndex(lamp.node, scene.nodes.size(), what + " node");
+        faults.checkFinite(lamp.position, what + " position");
+        checkLight(lamp.color, lamp.intensityCandela, what, faults);
+        faults.check(lamp.rangeMetres > 0.0, what + " range");
+    }
+    for (const DirectionalLight& lamp : scene.directionalLights) {
+        const std::string what = "directional " + lamp.name;
+        faults.checkIndex(lamp.node, scene.nodes.size(), what + " node");
+        faults.check(std::abs(glm::length(lamp.direction) - 1.0) < 1e-6, what + " direction");
+        checkLight(lamp.color, lamp.illuminanceLux, what, faults);
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> sceneFaults(const Scene& scene) {
+    Faults faults;
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+        const Node& node = scene.nodes[i];
+        const std::string what = "node " + std::to_string(i);
+        faults.check(node.parent >= -1 && node.parent < int(i), what + " stands before its parent");
+        faults.checkIndex(node.mesh, scene.meshes.size(), what + " mesh");
+        checkMatrix(node.parentFromLocal, what + " parentFromLocal", faults);
+        checkMatrix(node.worldFromLocal, what + " worldFromLocal", faults);
+    }
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
+            checkPrimitive(scene.meshes[m].primitives[p], scene.materials.size(),
+                           "primitive " + std::to_string(m) + "/" + std::to_string(p), faults);
+        }
+    }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        checkMaterial(scene.materials[i], scene.textures.size(), "material " + std::to_string(i),
+                      faults);
+    }
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        faults.checkIndex(scene.textures[i].image, scene.images.size(),
+                          "texture " + std::to_string(i) + " image");
+    }
+    for (const Image& image : scene.images) {
+        checkImage(image, "image " + image.name, faults);
+    }
+    for (const Camera& camera : scene.cameras) {
+        checkCamera(camera, scene.nodes.size(), faults);
+    }
+    checkLamps(scene, faults);
+    return faults.take();
+}
+
+}  // namespace ribalta::test
