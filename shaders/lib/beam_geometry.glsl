@@ -50,8 +50,8 @@ bool joinClip(float first, float last, float t0, float t1, OUT(float) entry, OUT
 /// (one nappe) between the planes z = zLens and z = zFar. direction is unit; cosSquared and
 /// sinSquared of a come from double precision, 0.5 <= a <= 80 degrees; 0 < zLens < zFar <= 1e30;
 /// t0, t1 finite. False where nothing is left (entry = exit = t0 then), else entry < exit.
-/// In single precision the ends are off by more than 1 cm for fewer than 0.002 % of the rays that
-/// see a beam of 0.5 degrees from 50 m, by grazing it.
+/// In single precision the ends were off by more than 1 cm for none of 2 million rays that looked
+/// from 50 m at beams of 0.5 to 80 degrees, and for 0.0004 % from 500 m (grazing the cone).
 bool clipToCone(vec3 origin, vec3 direction, float cosSquared, float sinSquared, float zLens,
                 float zFar, float t0, float t1, OUT(float) entry, OUT(float) exit) {
     entry = t0;

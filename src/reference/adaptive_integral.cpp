@@ -1,5 +1,5 @@
-// Gauss-Kronrod integration with lit and dark stretches (Piessens et al. 1983, QUADPACK's qk15 for
-// the nodes; the error is the plain difference of the two rules, not QUADPACK's scaled one).
+// Gauss-Kronrod integration (Piessens et al. 1983, QUADPACK's qk15 for the nodes; the error is the
+// plain difference of the two rules, not QUADPACK's power of it).
 #include "reference/adaptive_integral.h"
 
 #include <algorithm>
@@ -30,16 +30,8 @@ constexpr std::array<double, 4> kGaussWeights = {
     0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
     0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
 
-struct End {
-    double x;
-    bool lit;
-};
-
 struct Piece {
-    double first;
-    double last;
-    bool firstLit;
-    bool lastLit;
+    Interval interval;
     glm::dvec3 value{0.0};
     double error = 0.0;
 };
@@ -52,156 +44,89 @@ double largestChannel(const glm::dvec3& value) {
     return std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
 }
 
-double nodePosition(int i) {
-    return i < 8 ? -kHalfNodes[i] : kHalfNodes[14 - i];
+Piece measure(const std::function<glm::dvec3(double)>& integrand, const Interval& interval) {
+    const double centre = 0.5 * (interval.first + interval.last);
+    const double half = 0.5 * interval.length();
+    const glm::dvec3 middle = integrand(centre);
+    glm::dvec3 kronrod = kKronrodWeights[7] * middle;
+    glm::dvec3 gauss = kGaussWeights[3] * middle;
+    for (std::size_t i = 0; i < 7; ++i) {
+        const double offset = half * kHalfNodes[i];
+        const glm::dvec3 pair = integrand(centre - offset) + integrand(centre + offset);
+        kronrod += kKronrodWeights[i] * pair;
+        if (i % 2 == 1) {
+            gauss += kGaussWeights[i / 2] * pair;
+        }
+    }
+    return {interval, half * kronrod, half * largestChannel(kronrod - gauss)};
 }
-int mirrored(int i) {
-    return i < 8 ? i : 14 - i;
+
+Integral sum(std::span<const Piece> pieces) {
+    Integral total;
+    for (const Piece& piece : pieces) {
+        total.value += piece.value;
+        total.error += piece.error;
+    }
+    return total;
 }
 
-class LitIntegral {
-  public:
-    LitIntegral(const std::function<glm::dvec3(double)>& integrand,
-                const std::function<bool(double)>& lit, double span)
-        : integrand_(integrand), lit_(lit), narrowest_(1e-12 * span) {}
-
-    bool isLit(double x) const { return !lit_ || lit_(x); }
-
-    /// Adds [a.x, b.x], cut at every change of `lit` that its nodes show.
-    void add(const End& a, const End& b) {
-        const double centre = 0.5 * (a.x + b.x);
-        const double half = 0.5 * (b.x - a.x);
-        std::array<End, kNodes + 2> points;
-        points[0] = a;
-        points[kNodes + 1] = b;
-        bool changes = a.lit != b.lit;
-        for (int i = 0; i < kNodes; ++i) {
-            const double x = centre + half * nodePosition(i);
-            points[i + 1] = {x, isLit(x)};
-            changes = changes || points[i + 1].lit != a.lit;
-        }
-        const bool canSplit = b.x - a.x > 1e3 * narrowest_;
-        if (changes && canSplit) {
-            addRuns(points);
-            return;
-        }
-        Piece piece{.first = a.x, .last = b.x, .firstLit = a.lit, .lastLit = b.lit};
-        measure(points, half, piece);
-        if (changes) {
-            piece.error = largestChannel(piece.value);
-        }
-        pieces_.push_back(piece);
-        std::push_heap(pieces_.begin(), pieces_.end(), smallerError);
+std::vector<Piece> measureFirstPieces(const std::function<glm::dvec3(double)>& integrand,
+                                      std::span<const Interval> stretches, int firstPieces) {
+    double length = 0.0;
+    for (const Interval& stretch : stretches) {
+        length += stretch.length();
     }
-
-    /// Halves the worst piece; false where it is too short for that.
-    bool refine() {
-        std::pop_heap(pieces_.begin(), pieces_.end(), smallerError);
-        const Piece worst = pieces_.back();
-        if (worst.last - worst.first < 2.0 * narrowest_) {
-            std::push_heap(pieces_.begin(), pieces_.end(), smallerError);
-            return false;
+    std::vector<Piece> pieces;
+    for (const Interval& stretch : stretches) {
+        CHECK(stretch.first <= stretch.last);
+        const int count =
+            stretch.length() > 0.0 ? int(std::ceil(firstPieces * stretch.length() / length)) : 0;
+        const double step = stretch.length() / count;
+        for (int i = 0; i < count; ++i) {
+            const double last = i + 1 == count ? stretch.last : stretch.first + step * (i + 1);
+            pieces.push_back(measure(integrand, {stretch.first + step * i, last}));
         }
-        pieces_.pop_back();
-        const double x = 0.5 * (worst.first + worst.last);
-        const End middle{x, isLit(x)};
-        add({worst.first, worst.firstLit}, middle);
-        add(middle, {worst.last, worst.lastLit});
-        return true;
     }
-
-    Integral sum() const {
-        Integral total;
-        for (const Piece& piece : pieces_) {
-            total.value += piece.value;
-            total.error += piece.error;
-        }
-        total.evaluations = evaluations_;
-        return total;
-    }
-
-    std::size_t pieceCount() const { return pieces_.size(); }
-
-  private:
-    void addRuns(const std::array<End, kNodes + 2>& points) {
-        End start = points[0];
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            if (points[i].lit != points[i - 1].lit) {
-                const double change = findChange(points[i - 1], points[i]);
-                add(start, {change, start.lit});
-                start = {change, points[i].lit};
-            }
-        }
-        add(start, points.back());
-    }
-
-    double findChange(End a, End b) const {
-        while (b.x - a.x > narrowest_) {
-            const double x = 0.5 * (a.x + b.x);
-            if (x <= a.x || x >= b.x) {
-                break;
-            }
-            (isLit(x) == a.lit ? a.x : b.x) = x;
-        }
-        return 0.5 * (a.x + b.x);
-    }
-
-    void measure(const std::array<End, kNodes + 2>& points, double half, Piece& piece) {
-        glm::dvec3 kronrod{0.0};
-        glm::dvec3 gauss{0.0};
-        for (int i = 0; i < kNodes; ++i) {
-            const End& node = points[i + 1];
-            if (!node.lit) {
-                continue;
-            }
-            const glm::dvec3 value = integrand_(node.x);
-            ++evaluations_;
-            kronrod += kKronrodWeights[mirrored(i)] * value;
-            if (i % 2 == 1) {
-                gauss += kGaussWeights[mirrored(i) / 2] * value;
-            }
-        }
-        piece.value = half * kronrod;
-        piece.error = half * largestChannel(kronrod - gauss);
-    }
-
-    const std::function<glm::dvec3(double)>& integrand_;
-    const std::function<bool(double)>& lit_;
-    double narrowest_;
-    std::vector<Piece> pieces_;  // a heap, the largest error in front
-    int evaluations_ = 0;
-};
+    return pieces;
+}
 
 }  // namespace
 
-Integral integrateLit(const std::function<glm::dvec3(double)>& integrand,
-                      const std::function<bool(double)>& lit, std::span<const double> ends,
-                      const IntegralAccuracy& accuracy) {
-    CHECK(ends.size() >= 2 && std::is_sorted(ends.begin(), ends.end()));
+Integral integrateAdaptively(const std::function<glm::dvec3(double)>& integrand,
+                             std::span<const Interval> stretches,
+                             const IntegralAccuracy& accuracy) {
     CHECK(accuracy.firstPieces >= 1 && accuracy.relative >= 0.0 && accuracy.absolute >= 0.0);
-    const double span = ends.back() - ends.front();
-    if (span <= 0.0) {
-        return {};
-    }
-    LitIntegral integral(integrand, lit, span);
-    End from{ends.front(), integral.isLit(ends.front())};
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-        const double start = from.x;
-        const double length = ends[i] - start;
-        const int count = int(std::ceil(accuracy.firstPieces * length / span));
-        for (int k = 1; k <= count; ++k) {
-            const double x = k == count ? ends[i] : start + length * k / count;
-            const End to{x, integral.isLit(x)};
-            integral.add(from, to);
-            from = to;
+    // A heap, the piece with the largest error in front.
+    std::vector<Piece> pieces = measureFirstPieces(integrand, stretches, accuracy.firstPieces);
+    std::make_heap(pieces.begin(), pieces.end(), smallerError);
+    int measured = int(pieces.size());
+    const auto isGoodEnough = [&](const Integral& total) {
+        return total.error <=
+               std::max(accuracy.absolute, accuracy.relative * largestChannel(total.value));
+    };
+    // The running total gathers rounding; what it ends on is summed afresh.
+    Integral total = sum(pieces);
+    while (!isGoodEnough(total) && int(pieces.size()) < accuracy.maxPieces) {
+        std::pop_heap(pieces.begin(), pieces.end(), smallerError);
+        const Piece worst = pieces.back();
+        const double middle = 0.5 * (worst.interval.first + worst.interval.last);
+        if (middle <= worst.interval.first || middle >= worst.interval.last) {
+            break;
+        }
+        pieces.back() = measure(integrand, {worst.interval.first, middle});
+        const Piece other = measure(integrand, {middle, worst.interval.last});
+        measured += 2;
+        total.value += pieces.back().value + other.value - worst.value;
+        total.error += pieces.back().error + other.error - worst.error;
+        std::push_heap(pieces.begin(), pieces.end(), smallerError);
+        pieces.push_back(other);
+        std::push_heap(pieces.begin(), pieces.end(), smallerError);
+        if (isGoodEnough(total)) {
+            total = sum(pieces);
         }
     }
-    Integral total = integral.sum();
-    while (total.error >
-               std::max(accuracy.absolute, accuracy.relative * largestChannel(total.value)) &&
-           integral.pieceCount() < std::size_t(accuracy.maxPieces) && integral.refine()) {
-        total = integral.sum();
-    }
+    total = sum(pieces);
+    total.evaluations = kNodes * measured;
     return total;
 }
 

@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "optics/shader_lib.h"
 #include "reference/light_map_texture.h"
+#include "reference/lit_stretches.h"
 
 namespace ribalta {
 namespace {
@@ -34,11 +35,6 @@ int phaseKind(PhaseFunction::Kind kind) {
     checkFailed("a known PhaseFunction::Kind", __FILE__, __LINE__);
 }
 
-struct Interval {
-    double first;
-    double last;
-};
-
 /// The part of a ray (unit direction, seen from the lamp) that is within `range` of the lamp.
 std::optional<Interval> clipToSphere(const glm::dvec3& origin, const glm::dvec3& direction,
                                      double range, const Interval& interval) {
@@ -51,6 +47,23 @@ std::optional<Interval> clipToSphere(const glm::dvec3& origin, const glm::dvec3&
     const Interval part{std::max(interval.first, nearest - half),
                         std::min(interval.last, nearest + half)};
     return part.first < part.last ? std::optional(part) : std::nullopt;
+}
+
+/// The stretches with a cut at every place inside them; both ascending.
+std::vector<Interval> cutAt(const std::vector<Interval>& stretches,
+                            const std::vector<double>& places) {
+    std::vector<Interval> pieces;
+    auto place = places.begin();
+    for (Interval rest : stretches) {
+        for (; place != places.end() && *place < rest.last; ++place) {
+            if (*place > rest.first) {
+                pieces.push_back({rest.first, *place});
+                rest.first = *place;
+            }
+        }
+        pieces.push_back(rest);
+    }
+    return pieces;
 }
 
 }  // namespace
@@ -74,9 +87,44 @@ struct BeamIntegrator::Lamp {
 
     std::optional<Interval> clip(const glm::dvec3& origin, const glm::dvec3& direction,
                                  const Interval& interval) const;
-    std::vector<double> kinks(const glm::dvec3& origin, const glm::dvec3& direction,
-                              const Interval& interval) const;
+    std::optional<Interval> fullCone(const glm::dvec3& origin, const glm::dvec3& direction,
+                                     const Interval& interval) const;
+    glm::dvec2 lightMapUv(const glm::dvec3& point) const;
     glm::dvec3 intensity(const glm::dvec3& point, double distance) const;
+};
+
+/// The part of one ray that lies in one lamp's beam, in beam coordinates, placed projectively: x of
+/// [0, 1] runs over it with 1 / z even, which takes the inverse square out of the integrand and
+/// makes light-map coordinates linear.
+struct BeamIntegrator::Segment {
+    const Lamp& lamp;
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+    Interval part;  ///< metres along the ray
+    double z0 = 0.0;
+    double z1 = 0.0;
+
+    Segment(const Lamp& itsLamp, const glm::dvec3& itsOrigin, const glm::dvec3& itsDirection,
+            const Interval& itsPart)
+        : lamp(itsLamp),
+          origin(itsOrigin),
+          direction(itsDirection),
+          part(itsPart),
+          z0(origin.z + part.first * direction.z),
+          z1(origin.z + part.last * direction.z) {}
+
+    double distanceAt(double x) const {
+        return part.first + part.length() * shader::projectiveStep(x, z0, z1);
+    }
+    /// The inverse of distanceAt.
+    double placeOf(double t) const {
+        const double f = (t - part.first) / part.length();
+        return glm::clamp(f * z1 / (z0 * (1.0 - f) + f * z1), 0.0, 1.0);
+    }
+
+    glm::dvec3 integrand(double x, const Haze& haze) const;
+    std::vector<double> kinks() const;
+    std::vector<double> probes(int count) const;
 };
 
 struct BeamIntegrator::State {
@@ -84,7 +132,7 @@ struct BeamIntegrator::State {
     std::vector<std::unique_ptr<LightMapTexture>> lightMaps;  // by image; null where no lamp asks
     Haze haze;
     LampVisibility isVisible;
-    IntegralAccuracy accuracy;
+    BeamAccuracy accuracy;
 
     Integral alongLamp(const Lamp& lamp, const BeamRay& ray) const;
 };
@@ -107,10 +155,10 @@ std::optional<Interval> BeamIntegrator::Lamp::clip(const glm::dvec3& origin,
     return inverseRange > 0.0 ? clipToSphere(origin, direction, 1.0 / inverseRange, part) : part;
 }
 
-/// Where the cone's falloff reaches 1 along the ray, ascending.
-std::vector<double> BeamIntegrator::Lamp::kinks(const glm::dvec3& origin,
-                                                const glm::dvec3& direction,
-                                                const Interval& interval) const {
+/// The part of the ray where the cone's falloff is 1; its ends are kinks.
+std::optional<Interval> BeamIntegrator::Lamp::fullCone(const glm::dvec3& origin,
+                                                       const glm::dvec3& direction,
+                                                       const Interval& interval) const {
     // coneFalloff takes the cosines to be at least 0.001 apart.
     const double cosFull = std::max(cosInner, cosOuter + 0.001);
     Interval full{};
@@ -118,9 +166,14 @@ std::vector<double> BeamIntegrator::Lamp::kinks(const glm::dvec3& origin,
         !shader::clipToCone(origin, direction, cosFull * cosFull, 1.0 - cosFull * cosFull,
                             shader::kLensMetres, kNoFarPlane, interval.first, interval.last,
                             full.first, full.last)) {
-        return {};
+        return std::nullopt;
     }
-    return {full.first, full.last};
+    return full;
+}
+
+glm::dvec2 BeamIntegrator::Lamp::lightMapUv(const glm::dvec3& point) const {
+    return shader::lightMapUv({point.x / point.z, point.y / point.z}, cosOuter / sinOuter,
+                              cosRotation, sinRotation);
 }
 
 /// Candela per channel towards a point in beam coordinates, `distance` metres away.
@@ -130,11 +183,59 @@ glm::dvec3 BeamIntegrator::Lamp::intensity(const glm::dvec3& point, double dista
         value *= shader::coneFalloff(point.z / distance, cosInner, cosOuter);
     }
     if (lightMap != nullptr) {
-        const glm::dvec2 slope(point.x / point.z, point.y / point.z);
-        value *=
-            lightMap->at(shader::lightMapUv(slope, cosOuter / sinOuter, cosRotation, sinRotation));
+        value *= lightMap->at(lightMapUv(point));
     }
     return value;
+}
+
+glm::dvec3 BeamIntegrator::Segment::integrand(double x, const Haze& haze) const {
+    const double t = distanceAt(x);
+    const glm::dvec3 point = origin + t * direction;
+    const double r = glm::length(point);
+    const double phase = shader::phaseFunction(phaseKind(haze.phase.kind),
+                                               shader::scatteringCosine(point, direction),
+                                               haze.phase.g, haze.phase.k);
+    return lamp.intensity(point, r) * (shader::scatteredIntensity(phase, haze.scatteringPerMetre,
+                                                                  haze.extinctionPerMetre(), r, t) *
+                                       part.length() * shader::projectiveWeight(x, z0, z1));
+}
+
+/// Every x where the integrand has a kink, ascending: the inner cone, and the centres of texels,
+/// where a bilinear filter goes over to the next pair.
+std::vector<double> BeamIntegrator::Segment::kinks() const {
+    std::vector<double> places;
+    if (const std::optional<Interval> full = lamp.fullCone(origin, direction, part)) {
+        places = {placeOf(full->first), placeOf(full->last)};
+    }
+    if (lamp.lightMap != nullptr) {
+        const glm::dvec2 size = lamp.lightMap->size();
+        const glm::dvec2 from = lamp.lightMapUv(origin + part.first * direction) * size - 0.5;
+        const glm::dvec2 to = lamp.lightMapUv(origin + part.last * direction) * size - 0.5;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double low = std::max(std::ceil(std::min(from[axis], to[axis])), 0.0);
+            const double high =
+                std::min(std::floor(std::max(from[axis], to[axis])), size[axis] - 1.0);
+            for (double texel = low; texel <= high && from[axis] != to[axis]; texel += 1.0) {
+                places.push_back(
+                    glm::clamp((texel - from[axis]) / (to[axis] - from[axis]), 0.0, 1.0));
+            }
+        }
+    }
+    std::sort(places.begin(), places.end());
+    return places;
+}
+
+/// Where to ask for visibility, ascending from 0 to 1.
+std::vector<double> BeamIntegrator::Segment::probes(int count) const {
+    std::vector<double> places;
+    const int half = std::max(count / 2, 2);
+    for (int i = 0; i < half; ++i) {
+        const double fraction = double(i) / (half - 1);
+        places.push_back(fraction);
+        places.push_back(placeOf(part.first + fraction * part.length()));
+    }
+    std::sort(places.begin(), places.end());
+    return places;
 }
 
 Integral BeamIntegrator::State::alongLamp(const Lamp& lamp, const BeamRay& ray) const {
@@ -145,45 +246,22 @@ Integral BeamIntegrator::State::alongLamp(const Lamp& lamp, const BeamRay& ray) 
     if (!part) {
         return {};
     }
-    // Projective placement takes the inverse square out of the integrand. t of [a, b] from x of [0,
-    // 1]:
-    const double length = part->last - part->first;
-    const double z0 = origin.z + part->first * direction.z;
-    const double z1 = origin.z + part->last * direction.z;
-    const auto distanceAt = [&](double x) {
-        return part->first + length * shader::projectiveStep(x, z0, z1);
-    };
-    const int kind = phaseKind(haze.phase.kind);
-    const std::function<glm::dvec3(double)> integrand = [&](double x) {
-        const double t = distanceAt(x);
-        const glm::dvec3 point = origin + t * direction;
-        const double r = glm::length(point);
-        const double phase = shader::phaseFunction(kind, shader::scatteringCosine(point, direction),
-                                                   haze.phase.g, haze.phase.k);
-        return lamp.intensity(point, r) *
-               (shader::scatteredIntensity(phase, haze.scatteringPerMetre,
-                                           haze.extinctionPerMetre(), r, t) *
-                length * shader::projectiveWeight(x, z0, z1));
-    };
-    std::function<bool(double)> lit;
+    const Segment segment(lamp, origin, direction, *part);
+    std::vector<Interval> lit = {{0.0, 1.0}};
     if (isVisible) {
-        lit = [&](double x) {
-            return isVisible(lamp.light, ray.origin + distanceAt(x) * ray.direction);
-        };
+        lit = litStretches(
+            [&](double x) {
+                return isVisible(lamp.light, ray.origin + segment.distanceAt(x) * ray.direction);
+            },
+            segment.probes(accuracy.visibilityProbes));
     }
-    std::vector<double> ends = {0.0};
-    for (const double t : lamp.kinks(origin, direction, *part)) {
-        // The inverse of projectiveStep.
-        const double f = (t - part->first) / length;
-        ends.push_back(glm::clamp(f * z1 / (z0 * (1.0 - f) + f * z1), ends.back(), 1.0));
-    }
-    ends.push_back(1.0);
-    return integrateLit(integrand, lit, ends, accuracy);
+    return integrateAdaptively([&](double x) { return segment.integrand(x, haze); },
+                               cutAt(lit, segment.kinks()), accuracy.integral);
 }
 
 BeamIntegrator::BeamIntegrator(std::span<const SpotLight> lamps, std::span<const Image> images,
                                const Haze& haze, LampVisibility isVisible,
-                               const IntegralAccuracy& accuracy)
+                               const BeamAccuracy& accuracy)
     : state_(std::make_unique<State>()) {
     state_->haze = haze;
     state_->isVisible = std::move(isVisible);

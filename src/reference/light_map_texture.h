@@ -18,6 +18,9 @@ class LightMapTexture {
     /// decoding, clamped to the edge.
     glm::dvec3 at(const glm::dvec2& uv) const;
 
+    /// Texels, columns and rows. at() has kinks where uv * size() - 0.5 is whole.
+    glm::dvec2 size() const { return {width_, height_}; }
+
   private:
     int width_;
     int height_;

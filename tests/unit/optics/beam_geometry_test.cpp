@@ -264,12 +264,12 @@ double percentOffInFloat(Shape shape, double degrees, double distance) {
 }
 
 TEST(BeamClipInFloat, StaysWithinACentimetre) {
-    EXPECT_LT(percentOffInFloat(Shape::kCone, 0.5, 50.0), 0.002);
-    EXPECT_LT(percentOffInFloat(Shape::kCone, 10.0, 50.0), 0.002);
-    EXPECT_LT(percentOffInFloat(Shape::kCone, 10.0, 500.0), 0.01);
-    EXPECT_LT(percentOffInFloat(Shape::kCone, 80.0, 50.0), 0.002);
-    EXPECT_LT(percentOffInFloat(Shape::kPyramid, 0.5, 50.0), 0.002);
-    EXPECT_LT(percentOffInFloat(Shape::kPyramid, 10.0, 500.0), 0.01);
+    EXPECT_LT(percentOffInFloat(Shape::kCone, 0.5, 50.0), 0.001);
+    EXPECT_LT(percentOffInFloat(Shape::kCone, 10.0, 50.0), 0.001);
+    EXPECT_LT(percentOffInFloat(Shape::kCone, 10.0, 500.0), 0.002);
+    EXPECT_LT(percentOffInFloat(Shape::kCone, 80.0, 50.0), 0.001);
+    EXPECT_LT(percentOffInFloat(Shape::kPyramid, 0.5, 50.0), 0.001);
+    EXPECT_LT(percentOffInFloat(Shape::kPyramid, 10.0, 500.0), 0.002);
 }
 
 TEST(BeamClipInFloat, IsNeverNaNNorOutOfOrder) {
