@@ -63,7 +63,7 @@ double gibbonsOverSlab(double h, double s0, double s1, double k) {
     const double middle = scatteringAngle(h, s0) + 0.5 * range;
     double series = kBinomial16[0] * range;
     for (std::size_t n = 1; n < kBinomial16.size(); ++n) {
-        const double order = double(n);
+        const auto order = double(n);
         series +=
             4.0 / order * kBinomial16[n] * std::cos(order * middle) * std::sin(0.5 * order * range);
     }
