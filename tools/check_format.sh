@@ -3,5 +3,5 @@
 # Mend with: clang-format-14 -i FILE
 set -eu
 cd "$(dirname "$0")/.."
-find src tests tools samples shaders \( -name '*.cpp' -o -name '*.h' \) -print0 |
+find src tests tools samples \( -name '*.cpp' -o -name '*.h' \) -print0 |
     xargs -0 clang-format-14 --dry-run --Werror
