@@ -20,6 +20,9 @@
 namespace ribalta::gltf {
 namespace {
 
+// As DRACO_BITSTREAM_VERSION(2, 2) has it.
+constexpr std::uint16_t kBitstreamVersion = 0x0202;
+
 const char* const kCure = "; export the mesh again";
 
 // How many faces a bitstream claims to hold (Draco bitstream specification 2.2, sections 2, 4, 8).
@@ -42,7 +45,7 @@ std::uint64_t claimedFaces(std::span<const std::byte> bytes, const Place& place)
     if (type != draco::TRIANGULAR_MESH) {
         badInput(place, std::string("is Draco data without triangles") + kCure);
     }
-    buffer.set_bitstream_version(DRACO_BITSTREAM_VERSION(major, minor));
+    buffer.set_bitstream_version(kBitstreamVersion);
     if ((flags & METADATA_FLAG_MASK) != 0) {
         draco::GeometryMetadata metadata;
         if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata)) {

@@ -12,6 +12,8 @@ using On = JsonRule::OnFault;
 constexpr double kPi = std::numbers::pi;
 // Brighter than any lamp by far, and products with it still fit single precision.
 constexpr double kMaxIntensity = 1e12;
+// tinygltf holds the sizes of sparse accessors in this.
+constexpr double kMaxInt = 2147483647;
 constexpr double kMaxEmission = 1e12;
 
 const JsonRule kName{.key = "name", .is = Is::kString, .onFault = On::kRepair};
@@ -47,15 +49,15 @@ const JsonRule kMeshRules[] = {
 };
 const JsonRule kSparseIndexRules[] = {
     {.key = "bufferView", .is = Is::kIndex, .required = true, .into = "bufferViews"},
-    {.key = "byteOffset", .is = Is::kInteger, .low = 0},
+    {.key = "byteOffset", .is = Is::kInteger, .low = 0, .high = kMaxInt},
     {.key = "componentType", .is = Is::kInteger, .required = true, .values = {5121, 5123, 5125}},
 };
 const JsonRule kSparseValueRules[] = {
     {.key = "bufferView", .is = Is::kIndex, .required = true, .into = "bufferViews"},
-    {.key = "byteOffset", .is = Is::kInteger, .low = 0},
+    {.key = "byteOffset", .is = Is::kInteger, .low = 0, .high = kMaxInt},
 };
 const JsonRule kSparseRules[] = {
-    {.key = "count", .is = Is::kInteger, .required = true, .low = 1},
+    {.key = "count", .is = Is::kInteger, .required = true, .low = 1, .high = kMaxInt},
     {.key = "indices", .is = Is::kObject, .required = true, .members = kSparseIndexRules},
     {.key = "values", .is = Is::kObject, .required = true, .members = kSparseValueRules},
 };
@@ -82,7 +84,7 @@ const JsonRule kBufferViewRules[] = {
     {.key = "buffer", .is = Is::kIndex, .required = true, .into = "buffers"},
     {.key = "byteOffset", .is = Is::kInteger, .low = 0},
     {.key = "byteLength", .is = Is::kInteger, .required = true, .low = 1},
-    {.key = "byteStride", .is = Is::kInteger, .low = 4, .high = 252},
+    {.key = "byteStride", .is = Is::kInteger, .low = 4, .high = 252, .multipleOf = 4},
 };
 
 const JsonRule kTextureRules[] = {
@@ -195,18 +197,19 @@ const JsonRule kGltfRules[] = {
     {.key = "asset", .is = Is::kObject, .required = true, .members = kAssetRules},
     {.key = "extensionsUsed", .is = Is::kStrings, .onFault = On::kRepair},
     {.key = "extensionsRequired", .is = Is::kStrings},
-    {.key = "scene", .is = Is::kIndex, .onFault = On::kRepair, .into = "scenes"},
-    {.key = "scenes", .is = Is::kObjects, .members = kSceneRules},
-    {.key = "nodes", .is = Is::kObjects, .members = kNodeRules},
-    {.key = "meshes", .is = Is::kObjects, .members = kMeshRules},
-    {.key = "accessors", .is = Is::kObjects, .members = kAccessorRules},
-    {.key = "bufferViews", .is = Is::kObjects, .members = kBufferViewRules},
+    // What is pointed into comes before what points.
     {.key = "buffers", .is = Is::kObjects, .members = kBufferRules},
-    {.key = "materials", .is = Is::kObjects, .members = kMaterialRules},
-    {.key = "textures", .is = Is::kObjects, .members = kTextureObjectRules},
-    {.key = "samplers", .is = Is::kObjects, .members = kSamplerRules},
+    {.key = "bufferViews", .is = Is::kObjects, .members = kBufferViewRules},
+    {.key = "accessors", .is = Is::kObjects, .members = kAccessorRules},
     {.key = "images", .is = Is::kObjects, .members = kImageRules},
+    {.key = "samplers", .is = Is::kObjects, .members = kSamplerRules},
+    {.key = "textures", .is = Is::kObjects, .members = kTextureObjectRules},
+    {.key = "materials", .is = Is::kObjects, .members = kMaterialRules},
+    {.key = "meshes", .is = Is::kObjects, .members = kMeshRules},
     {.key = "cameras", .is = Is::kObjects, .members = kCameraRules},
+    {.key = "nodes", .is = Is::kObjects, .members = kNodeRules},
+    {.key = "scenes", .is = Is::kObjects, .members = kSceneRules},
+    {.key = "scene", .is = Is::kIndex, .onFault = On::kRepair, .into = "scenes"},
 };
 
 const JsonRule kSpotRules[] = {

@@ -22,7 +22,7 @@ struct Buffer {
 
 /// One glTF on its way into a Scene. `json` is checked and mended: types and indices in it are
 /// right. `model` is the same document, typed, with the same indices; it has neither buffers,
-/// images, animations, skins nor extensions and extras, which are read from `json`.
+/// images, cameras, animations, skins nor extensions and extras, which are read from `json`.
 struct Import {
     Place file;                    ///< the file, pointer empty
     std::filesystem::path folder;  ///< what relative URIs are relative to

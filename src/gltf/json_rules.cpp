@@ -33,7 +33,7 @@ std::string shown(double number) {
 // Stores 3.0 as 3; false where the value is no integer that fits.
 bool makeInteger(json& value) {
     if (value.is_number_unsigned()) {
-        return value.get<std::uint64_t>() <= (std::uint64_t(1) << 53U);
+        return value.get<std::uint64_t>() < (std::uint64_t(1) << 63U);
     }
     if (value.is_number_integer()) {
         return true;
@@ -58,6 +58,11 @@ void checkInteger(json& value, const JsonRule& rule, const Where& where) {
                         "is " + std::to_string(number) + ", expected " +
                             (std::isinf(rule.high) ? "at least " + shown(rule.low)
                                                    : shown(rule.low) + " to " + shown(rule.high))};
+    }
+    if (number % rule.multipleOf != 0) {
+        throw JsonFault{where.place(), "is " + std::to_string(number) +
+                                           ", expected a multiple of " +
+                                           std::to_string(rule.multipleOf)};
     }
     if (!rule.values.empty() &&
         std::find(rule.values.begin(), rule.values.end(), number) == rule.values.end()) {

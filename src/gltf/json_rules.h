@@ -43,6 +43,7 @@ struct JsonRule {
     const char* into = nullptr;
     std::size_t length = 0;
     std::vector<std::string_view> words{};  ///< kString: the only ones allowed, where any
+    int multipleOf = 1;                     ///< kInteger
     std::vector<int> values{};              ///< kInteger: the only ones allowed, where any
     std::span<const JsonRule> members{};
 };

@@ -109,24 +109,6 @@ void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, R
     forEachUse([&](int& material) { material = sceneMaterial[std::size_t(material)]; });
 }
 
-void loadCamerasAndLamps(const Import& import, const std::vector<std::size_t>& gltfNodes,
-                         ImageTable& images, TextureTable& textures, Scene& scene, Report& report) {
-    for (std::size_t i = 0; i < gltfNodes.size(); ++i) {
-        const tinygltf::Node& source = import.model.nodes[gltfNodes[i]];
-        if (source.camera >= 0) {
-            const auto index = std::size_t(source.camera);
-            Camera camera = readCamera(import, index, report);
-            const std::string& own = import.model.cameras[index].name;
-            camera.name = !source.name.empty() ? source.name
-                          : !own.empty()       ? own
-                                               : "camera_" + std::to_string(scene.cameras.size());
-            camera.node = int(i);
-            scene.cameras.push_back(std::move(camera));
-        }
-        addLamp(import, gltfNodes[i], int(i), images, textures, scene, report);
-    }
-}
-
 }  // namespace
 
 LoadedScene loadGltf(const std::filesystem::path& path) {
@@ -163,7 +145,10 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     ImageTable images(import);
     TextureTable textures(import, images);
     loadMaterials(import, textures, scene, report);
-    loadCamerasAndLamps(import, list.gltfNodes, images, textures, scene, report);
+    scene.cameras = readCameras(import, list.gltfNodes, report);
+    for (std::size_t i = 0; i < list.gltfNodes.size(); ++i) {
+        addLamp(import, list.gltfNodes[i], int(i), images, textures, scene, report);
+    }
     scene.textures = textures.textures();
     scene.images = images.decode(report);
     watch.lap("images");

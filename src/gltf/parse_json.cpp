@@ -34,9 +34,9 @@ void checkDepth(std::string_view text, const Place& file) {
             inString = true;
         } else if (c == '{' || c == '[') {
             if (++depth > kMaxJsonDepth) {
-                badInput(lineOf(text, i, file), "JSON is nested deeper than " +
-                                                    std::to_string(kMaxJsonDepth) +
-                                                    " levels; remove such extras");
+                badInput(lineOf(text, i + 1, file), "JSON is nested deeper than " +
+                                                        std::to_string(kMaxJsonDepth) +
+                                                        " levels; remove such extras");
             }
         } else if (c == '}' || c == ']') {
             --depth;
@@ -47,9 +47,10 @@ void checkDepth(std::string_view text, const Place& file) {
 // The parser's message without its own name and position, which lineOf says better.
 std::string parserReason(const nlohmann::json::exception& error) {
     const std::string text = error.what();
-    const std::size_t start = text.rfind("] ");
-    const std::size_t colon = text.find(": ", start == std::string::npos ? 0 : start);
-    return colon == std::string::npos ? text : text.substr(colon + 2);
+    const std::size_t name = text.find("] ");
+    const std::size_t start = name == std::string::npos ? 0 : name + 2;
+    const std::size_t position = text.find(": ", start);
+    return text.substr(position == std::string::npos ? start : position + 2);
 }
 
 }  // namespace

@@ -21,7 +21,6 @@ const std::pair<const char*, std::vector<const char*>> kArrays[] = {
     {"accessors",
      {"bufferView", "byteOffset", "componentType", "count", "type", "normalized", "sparse"}},
     {"bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride"}},
-    {"cameras", {"name", "type", "perspective", "orthographic"}},
     {"materials",
      {"name", "pbrMetallicRoughness", "normalTexture", "occlusionTexture", "emissiveTexture",
       "emissiveFactor", "alphaMode", "alphaCutoff", "doubleSided"}},

@@ -1,6 +1,11 @@
 #include "gltf/read_camera.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "gltf/bad_input.h"
 
@@ -77,8 +82,6 @@ void readOrthographic(const json& source, const Mender& mend, Camera& camera) {
         mend.keepIf(far > camera.nearMetres && far < 1e30, far, "zfar", camera.nearMetres + 100.0);
 }
 
-}  // namespace
-
 Camera readCamera(const Import& import, std::size_t index, Report& report) {
     const json& source = element(import.json, "cameras", index);
     const Place place = import.file.at("cameras").at(index);
@@ -101,6 +104,57 @@ Camera readCamera(const Import& import, std::size_t index, Report& report) {
         readPerspective(lens, mend, camera);
     }
     return camera;
+}
+
+std::string nameOf(const json& object) {
+    const json& name = member(object, "name");
+    return name.is_string() ? name.get<std::string>() : std::string();
+}
+
+// Whether `name` is `plain` with Blender's suffix, .001 and so on.
+bool isSuffixed(const std::string& name, const std::string& plain) {
+    return name.size() == plain.size() + 4 && name.starts_with(plain) &&
+           name[plain.size()] == '.' &&
+           std::all_of(name.end() - 3, name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string chooseName(const std::string& node, const std::string& own,
+                       const std::set<std::string>& nodeNames, std::size_t number) {
+    if (!own.empty() && isSuffixed(node, own) && !nodeNames.contains(own)) {
+        return own;
+    }
+    return !node.empty() ? node : !own.empty() ? own : "camera_" + std::to_string(number);
+}
+
+}  // namespace
+
+std::vector<Camera> readCameras(const Import& import, const std::vector<std::size_t>& gltfNodes,
+                                Report& report) {
+    std::set<std::string> taken;  // names of nodes with cameras, then of cameras
+    for (const std::size_t node : gltfNodes) {
+        if (import.model.nodes[node].camera >= 0) {
+            taken.insert(import.model.nodes[node].name);
+        }
+    }
+    std::map<std::size_t, Camera> known;
+    std::vector<Camera> cameras;
+    for (std::size_t i = 0; i < gltfNodes.size(); ++i) {
+        const tinygltf::Node& node = import.model.nodes[gltfNodes[i]];
+        if (node.camera < 0) {
+            continue;
+        }
+        const auto index = std::size_t(node.camera);
+        if (!known.contains(index)) {
+            known.emplace(index, readCamera(import, index, report));
+        }
+        Camera camera = known.at(index);
+        camera.name = chooseName(node.name, nameOf(element(import.json, "cameras", index)), taken,
+                                 cameras.size());
+        camera.node = int(i);
+        taken.insert(camera.name);
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
 }
 
 }  // namespace ribalta::gltf

@@ -10,8 +10,11 @@
 
 namespace ribalta::gltf {
 
-/// The glTF's camera `index` as seen from a node; the caller names it and sets its node. Values
+/// A camera for every node of the scene that has one; `gltfNodes` are the glTF's indices of the
+/// scene's nodes. Named by its node, then by itself, then "camera_0"; "stand" where both agree but
+/// for the suffix (node stand.020, camera stand) with which Blender tells objects apart. Values
 /// that make no picture are replaced and reported.
-Camera readCamera(const Import& import, std::size_t index, Report& report);
+std::vector<Camera> readCameras(const Import& import, const std::vector<std::size_t>& gltfNodes,
+                                Report& report);
 
 }  // namespace ribalta::gltf
