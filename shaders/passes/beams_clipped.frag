@@ -17,7 +17,7 @@ layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(std140, binding = kBeamSettingsSlot) uniform SettingsBlock { BeamSettings settings; };
 layout(std430, binding = kLampsSlot) readonly buffer SpotLamps { SpotLamp spotLamps[]; };
 layout(std430, binding = kTileLampsSlot) readonly buffer TileLamps { int tileLamps[]; };
-layout(binding = kShadowMapsUnit) uniform sampler2DArrayShadow shadowMaps;
+layout(binding = kShadowMapsUnit) uniform sampler2DArray shadowMaps;
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
 
@@ -48,9 +48,6 @@ vec3 beamRadiance(SpotLamp lamp, vec3 origin, vec3 direction, float begin, float
                                        begin, end, entry, exit)
                        : clipToCone(origin, direction, lamp.cone.z, lamp.cone.w, kLensMetres, zFar,
                                     begin, end, entry, exit);
-    if (!hit) {
-        return vec3(0.0);
-    }
     vec3 first = origin + entry * direction;
     vec3 last = origin + exit * direction;
     float z0 = max(first.z, 0.5 * kLensMetres);
@@ -68,8 +65,10 @@ vec3 beamRadiance(SpotLamp lamp, vec3 origin, vec3 direction, float begin, float
     }
 
     vec3 sum = vec3(0.0);
-    for (float i = 0.5; i < count; i += 1.0) {
-        float x = i / count;
+    // A ray that misses takes no sample: the loop's end, not a branch, so that nothing is computed
+    // for it where both sides of a branch are run.
+    float stop = hit ? 1.0 : 0.0;
+    for (float x = 0.5 / count; x < stop; x += 1.0 / count) {
         vec2 slope = mix(slope0, slope1, x);
         float inverseDepth = mix(1.0 / z0, 1.0 / z1, x);
         float depth = 1.0 / inverseDepth;
@@ -86,7 +85,8 @@ vec3 beamRadiance(SpotLamp lamp, vec3 origin, vec3 direction, float begin, float
         }
         if (lamp.layers.x >= 0) {
             vec3 at = shadowCoordinates(slope, inverseDepth, lamp.shadow.x, lamp.shadow.y);
-            share *= texture(shadowMaps, vec4(at.xy, float(lamp.layers.x), at.z));
+            ivec3 texel = ivec3(ivec2(at.xy * lamp.shadow.w), lamp.layers.x);
+            share *= texelFetch(shadowMaps, texel, 0).r <= at.z ? 1.0 : 0.0;
         }
         if (lamp.layers.y >= 0) {
             vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);

@@ -177,26 +177,26 @@ vec3 lightMapOnSurface(SpotLamp lamp, vec3 place, vec3 placeDx, vec3 placeDy) {
                       0.5 * log2(max(footprint, 1.0e-8))).rgb;
 }
 
+/// Whether a spot's beam holds the point, shadows aside.
+bool inBeam(int index) {
+    vec3 place = (spotLamps[index].lampFromView * vec4(viewPosition, 1.0)).xyz;
+    if (spotLamps[index].projection.w > 0.5) {
+        return place.z > kLensMetres &&
+               max(abs(place.x), abs(place.y)) * spotLamps[index].projection.x < place.z;
+    }
+    return place.z > kLensMetres && place.z * place.z > spotLamps[index].cone.z * dot(place, place);
+}
+
 vec3 litBySpot(SpotLamp lamp, Surface surface, vec3 positionDx, vec3 positionDy) {
     vec3 place = (lamp.lampFromView * vec4(viewPosition, 1.0)).xyz;
-    float distanceSquared = dot(place, place);
-    bool pyramid = lamp.projection.w > 0.5;
-    // Outside the beam nothing more is computed: most lamps miss most pixels.
-    if (place.z <= kLensMetres || (pyramid ? max(abs(place.x), abs(place.y)) * lamp.projection.x > place.z
-                                           : place.z * place.z <= lamp.cone.z * distanceSquared)) {
-        return vec3(0.0);
-    }
-    float distanceMetres = sqrt(distanceSquared);
-    float window = rangeWindow(distanceMetres, lamp.candela.w);
-    float falloff =
-        pyramid ? 1.0 : coneFalloff(place.z / distanceMetres, lamp.cone.x, lamp.cone.y);
+    float distanceMetres = length(place);
+    float falloff = lamp.projection.w > 0.5
+                        ? 1.0
+                        : coneFalloff(place.z / distanceMetres, lamp.cone.x, lamp.cone.y);
     vec3 towardsLamp = -normalize(transpose(mat3(lamp.lampFromView)) * place);
     vec3 light = reflected(surface, towardsLamp) * lamp.candela.rgb *
-                 (window * falloff * inverseSquare(distanceMetres) *
-                  transmittance(view.haze.y, distanceMetres));
-    if (max(light.r, max(light.g, light.b)) <= 0.0) {
-        return vec3(0.0);
-    }
+                 (falloff * rangeWindow(distanceMetres, lamp.candela.w) *
+                  inverseSquare(distanceMetres) * transmittance(view.haze.y, distanceMetres));
     if (lamp.layers.x >= 0) {
         light *= shadowOnSurface(lamp, place, surface);
     }
@@ -205,6 +205,24 @@ vec3 litBySpot(SpotLamp lamp, Surface surface, vec3 positionDx, vec3 positionDy)
                                    mat3(lamp.lampFromView) * positionDy);
     }
     return light;
+}
+
+/// All spots. Most miss most points, so each point first looks for the next lamp that holds it: a
+/// processor that runs both sides of a branch still spends nothing on the others.
+vec3 litBySpots(Surface surface, vec3 positionDx, vec3 positionDy) {
+    vec3 sum = vec3(0.0);
+    int index = 0;
+    while (true) {
+        while (index < view.lampCounts.x && !inBeam(index)) {
+            ++index;
+        }
+        if (index >= view.lampCounts.x) {
+            break;
+        }
+        sum += litBySpot(spotLamps[index], surface, positionDx, positionDy);
+        ++index;
+    }
+    return sum;
 }
 
 vec3 litByPoint(PointLamp lamp, Surface surface) {
@@ -242,10 +260,8 @@ void main() {
     if ((material.flags.x & kUnlitFlag) != 0) {
         sum = surface.baseColor;
     } else {
-        sum = surface.emission + ambientLight(surface);
-        for (int i = 0; i < view.lampCounts.x; ++i) {
-            sum += litBySpot(spotLamps[i], surface, positionDx, positionDy);
-        }
+        sum = surface.emission + ambientLight(surface) +
+              litBySpots(surface, positionDx, positionDy);
         for (int i = 0; i < view.lampCounts.y; ++i) {
             sum += litByPoint(pointLamps[i], surface);
         }

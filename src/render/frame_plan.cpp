@@ -8,7 +8,7 @@
 namespace ribalta {
 namespace {
 
-// All shadow maps together; 12 lamps get 1024 x 1024, one gets 2048, 128 get 512.
+// All shadow maps together: at most 192 MiB.
 constexpr std::int64_t kShadowTexels = std::int64_t(48) << 20;
 constexpr int kMinShadowSide = 256;
 constexpr int kMaxShadowSide = 2048;
@@ -25,8 +25,13 @@ double depthOf(const Camera& camera, const glm::dvec3& point) {
     return glm::dot(camera.frame.forward(), point - camera.frame.position);
 }
 
-int shadowSideFor(std::size_t lamps) {
-    int side = kMaxShadowSide;
+// As many texels as the picture has rows, and a little more: a beam seldom fills the picture, and
+// finer maps only cost memory traffic, which is what beams spend their time on.
+int shadowSideFor(std::size_t lamps, int pictureHeight) {
+    int side = kMinShadowSide;
+    while (side < pictureHeight && side < kMaxShadowSide) {
+        side *= 2;
+    }
     while (side > kMinShadowSide &&
            std::int64_t(side) * side * std::int64_t(lamps) > kShadowTexels) {
         side /= 2;
@@ -71,8 +76,9 @@ void planShadowMaps(const Scene& scene, const FrameCache& cache, FramePlan& plan
     }
     // Maps that are there already are good enough while every lamp finds a place among them.
     const bool reuse = cache.shadowSide > 0 && wanted.size() <= cache.shadowLayers.size() &&
-                       cache.shadowSide >= shadowSideFor(wanted.size());
-    plan.shadowMaps.side = reuse ? cache.shadowSide : shadowSideFor(wanted.size());
+                       cache.shadowSide == shadowSideFor(wanted.size(), plan.settings.height);
+    plan.shadowMaps.side =
+        reuse ? cache.shadowSide : shadowSideFor(wanted.size(), plan.settings.height);
     plan.shadowMaps.layers = int(reuse ? cache.shadowLayers.size() : wanted.size());
 
     std::vector<bool> taken(std::size_t(plan.shadowMaps.layers), false);

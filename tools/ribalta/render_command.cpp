@@ -35,7 +35,7 @@ struct RenderOptions {
     std::string haze = "0.03";
     std::string phase = "gibbons";
     std::string beams = "clipped";
-    int planes = 64;
+    int planes = 32;
     std::string cells;
     std::optional<double> k;
     std::optional<double> spacing;

@@ -4,7 +4,7 @@
 
 #include "gl/counters.h"
 #include "gl/pipeline_state.h"
-#include "render/passes/beam_program.h"
+#include "render/beam_program.h"
 
 namespace ribalta {
 
@@ -12,6 +12,12 @@ ClippedBeamsPass::ClippedBeamsPass() {
     GLuint array = 0;
     glCreateVertexArrays(1, &array);
     vertexArray_ = Handle<deleteVertexArray>(array);
+    GLuint sampler = 0;
+    glCreateSamplers(1, &sampler);
+    depthSampler_ = Handle<deleteSampler>(sampler);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
@@ -29,6 +35,7 @@ void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTilesSlot, tiles_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTileLampsSlot, tileLamps_.name());
     glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
+    glBindSampler(gpu::kShadowMapsUnit, depthSampler_.name());
     glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
     glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
 
@@ -40,6 +47,7 @@ void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
     apply(state);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(work.tiles.tiles.size()));
     ++glCounters().drawCalls;
+    glBindSampler(gpu::kShadowMapsUnit, 0);
 }
 
 }  // namespace ribalta

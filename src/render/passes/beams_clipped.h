@@ -22,6 +22,7 @@ class ClippedBeamsPass {
   private:
     std::map<std::pair<int, bool>, Program> programs_;  ///< by phase function and separate output
     Handle<deleteVertexArray> vertexArray_;
+    Handle<deleteSampler> depthSampler_;  ///< reads shadow maps as depths, without comparing
     Buffer settings_;
     Buffer tiles_;
     Buffer tileLamps_;

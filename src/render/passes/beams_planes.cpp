@@ -6,7 +6,7 @@
 
 #include "gl/counters.h"
 #include "gl/pipeline_state.h"
-#include "render/passes/beam_program.h"
+#include "render/beam_program.h"
 
 namespace ribalta {
 namespace {

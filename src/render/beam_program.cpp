@@ -1,4 +1,4 @@
-#include "render/passes/beam_program.h"
+#include "render/beam_program.h"
 
 #include "optics/shader_lib.h"
 
