@@ -34,7 +34,7 @@ float lightMapLevel(SpotLamp lamp, vec2 slopeStep, float rayWidth) {
     float texels = 0.5 * lamp.projection.x * float(lamp.layers.z);
     // Half the step: sheets a little over a texel apart still see every feature.
     float footprint = texels * max(0.5 * length(slopeStep), rayWidth);
-    return log2(max(footprint, 1.0e-4));
+    return floor(max(log2(max(footprint, 1.0e-4)), 0.0) + 0.5);
 }
 
 /// Light of one lamp that reaches the eye along origin + t direction (the lamp's frame), t in

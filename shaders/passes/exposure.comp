@@ -1,5 +1,6 @@
-// Auto-exposure: one work group looks at a grid of pixels, keeps a histogram of their luminance in
-// eighths of a stop and finds the EV100 that suits the brighter part of what is lit.
+// Auto-exposure: one work group looks at a grid of pixels, keeps a histogram of their brightest channel
+// (a deep blue lamp burns out long before its luminance tells) in eighths of a stop, and finds the EV100
+// that suits the brighter part of what is lit.
 #include "shared/slots.h"
 #include "shared/view.h"
 
@@ -11,6 +12,8 @@ layout(binding = kColorUnit) uniform sampler2D colorMap;
 const int kBins = 384;
 const float kLowestStop = -18.0;  // log2 of cd/m2
 const float kBinsAStop = 8.0;
+const float kBurnt = 0.03;
+const float kMiddleGrey = 0.18;
 shared uint bins[kBins];
 shared uint lit;
 
@@ -28,8 +31,8 @@ void main() {
     ivec2 grid = min(size, ivec2(320, 180));
     for (int i = worker; i < grid.x * grid.y; i += 256) {
         ivec2 at = (ivec2(i % grid.x, i / grid.x) * size) / grid;
-        float luminance = dot(texelFetch(colorMap, at, 0).rgb, vec3(0.2126, 0.7152, 0.0722));
-        float stop = log2(max(luminance, 1.0e-30));
+        vec3 color = texelFetch(colorMap, at, 0).rgb;
+        float stop = log2(max(max(color.r, max(color.g, color.b)), 1.0e-30));
         if (stop > kLowestStop) {
             int bin = clamp(int((stop - kLowestStop) * kBinsAStop), 0, kBins - 1);
             atomicAdd(bins[bin], 1u);
@@ -39,29 +42,25 @@ void main() {
     barrier();
 
     if (worker == 0) {
-        // The darkest pixels of a stage are unlit house: what is a thousand times dimmer than the
-        // brightest percent says nothing about the light on stage.
-        uint counted = 0u;
+        // The brightest part, kBurnt of the lit pixels, may burn out: lenses, a white floor under
+        // many lamps. What is a thousand times dimmer is unlit house and says nothing of the stage.
+        uint burnt = 0u;
         int top = kBins - 1;
-        while (top > 0 && counted + bins[top] < max(lit / 100u, 1u)) {
-            counted += bins[top];
+        while (top > 0 && burnt + bins[top] <= uint(kBurnt * float(lit))) {
+            burnt += bins[top];
             --top;
         }
-        int bottom = max(0, top - int(10.0 * kBinsAStop));
         float weight = 0.0;
         float sum = 0.0;
-        for (int i = bottom; i < kBins; ++i) {
+        for (int i = max(0, top - int(10.0 * kBinsAStop)); i < kBins; ++i) {
             float share = float(bins[i]);
             weight += share;
             sum += share * (float(min(i, top)) + 0.5);
         }
-        float brightest = kLowestStop + (float(top) + 0.5) / kBinsAStop;
+        float brightest = kLowestStop + (float(top) + 1.0) / kBinsAStop;
         float middle = weight > 0.0 ? kLowestStop + sum / weight / kBinsAStop : brightest;
-        // Middle grey for the mean stop, but the brightest percent at most a stop and a half over
-        // white: highlights of a stage may burn, the beams must not.
-        float byMiddle = middle - log2(0.18);
-        float byBrightest = brightest - 1.5;
-        float white = lit > 0u ? max(byMiddle, byBrightest) : 0.0;
+        // Middle grey for the mean stop, as a camera meters; but never more than the brightest bear.
+        float white = lit > 0u ? max(middle - log2(kMiddleGrey), brightest) : 0.0;
         ev100 = white - log2(1.2);
     }
 }

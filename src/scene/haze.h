@@ -15,7 +15,7 @@ struct PhaseFunction {
 };
 
 struct Haze {
-    double scatteringPerMetre = 0.03;
+    double scatteringPerMetre = 0.02;
     double absorptionPerMetre = 0.0;
     PhaseFunction phase;
 

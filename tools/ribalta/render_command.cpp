@@ -32,7 +32,7 @@ struct RenderOptions {
     std::vector<std::filesystem::path> outputs;
     std::optional<std::string> camera;
     std::string size = "1280x720";
-    std::string haze = "0.03";
+    std::string haze = "0.02";
     std::string phase = "gibbons";
     std::string beams = "clipped";
     int planes = 32;
