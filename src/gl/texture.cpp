@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/check.h"
+#include "base/error.h"
 #include "gl/counters.h"
 
 namespace ribalta {
@@ -29,6 +30,14 @@ std::size_t bytesPerTexel(GLenum format) {
 }  // namespace
 
 Texture2D::Texture2D(const std::string& label, GLenum format, const Size& size) : size_(size) {
+    GLint limit = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    if (std::max(size.width, size.height) > limit) {
+        throw Error(ErrorKind::kJobFailed, {},
+                    label + ": " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                        " pixels are more than this OpenGL's " + std::to_string(limit) +
+                        " a side; ask for a smaller picture");
+    }
     GLuint name = 0;
     if (size.layers > 0) {
         glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
@@ -38,6 +47,11 @@ Texture2D::Texture2D(const std::string& label, GLenum format, const Size& size) 
         glTextureStorage2D(name, size.levels, format, size.width, size.height);
     }
     handle_ = Handle<deleteTexture>(name);
+    if (glGetError() == GL_OUT_OF_MEMORY) {
+        throw Error(ErrorKind::kJobFailed, {},
+                    label + ": no memory on the GPU for " + std::to_string(size.width) + "x" +
+                        std::to_string(size.height) + " pixels; ask for a smaller picture");
+    }
     glObjectLabel(GL_TEXTURE, name, GLsizei(label.size()), label.c_str());
 
     for (int level = 0; level < size.levels; ++level) {

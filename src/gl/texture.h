@@ -23,7 +23,8 @@ class Texture2D {
     };
 
     Texture2D() = default;
-    /// `format` is a sized internal format, e.g. GL_RGBA32F.
+    /// `format` is a sized internal format, e.g. GL_RGBA32F. Throws Error(kJobFailed) where it is
+    /// too large for the driver or its memory.
     Texture2D(const std::string& label, GLenum format, const Size& size);
     ~Texture2D();
     Texture2D(Texture2D&& other) noexcept;

@@ -10,6 +10,8 @@ namespace {
 
 // All shadow maps together: at most 192 MiB.
 constexpr std::int64_t kShadowTexels = std::int64_t(48) << 20;
+// Layers that every OpenGL 4.5 offers in one texture.
+constexpr std::size_t kMaxShadowMaps = 2048;
 constexpr int kMinShadowSide = 256;
 constexpr int kMaxShadowSide = 2048;
 
@@ -66,7 +68,9 @@ void planShadowMaps(const Scene& scene, const FrameCache& cache, FramePlan& plan
     for (std::size_t i = 0; i < plan.lamps.size(); ++i) {
         const SpotLight& lamp = scene.spotLights[std::size_t(plan.lamps[i].spot)];
         std::vector<int> casters = castersOf(scene, plan, lamp);
-        if (!casters.empty()) {
+        if (!casters.empty() && wanted.size() == kMaxShadowMaps) {
+            ++plan.lampsWithoutShadow;
+        } else if (!casters.empty()) {
             wanted.push_back({-1, plan.lamps[i].spot, std::move(casters)});
             lampOf.push_back(i);
         }
@@ -135,7 +139,8 @@ void planForward(const Scene& scene, const std::vector<bool>& visible, FramePlan
     }
 }
 
-// The planes' places: from the near plane to the end of the scene, or as far as `--dt` brings them.
+// The planes' places: from the near plane to the end of the scene; or, at a given distance from
+// each other, around the middle of that.
 void planPlanes(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
     Bounds bounds = sceneBounds(scene);
     for (const PlannedLamp& lamp : plan.lamps) {

@@ -78,6 +78,7 @@ struct FramePlan {
     std::vector<int> pointLights;        ///< into Scene::pointLights
     std::vector<int> directionalLights;  ///< into Scene::directionalLights
     int lampsSkipped = 0;                ///< lamps of all kinds that do not reach the view
+    int lampsWithoutShadow = 0;          ///< spots with casters for which no shadow map is left
     ShadowMaps shadowMaps;
     int shadowMapsKept = 0;  ///< as they were drawn for an earlier frame
 

@@ -21,7 +21,7 @@ struct BeamSettings {
     int cellsAcross = 0;
     int cellsDown = 0;
     /// `planes` only: distance between planes in metres; otherwise they are spread evenly from the
-    /// near plane to the end of the scene.
+    /// near plane to the end of the scene. With it they lie around the middle of that range.
     std::optional<double> spacingMetres;
 };
 

@@ -45,16 +45,13 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     if (!plan_.shadowMapWork.empty()) {
         timer_.begin("shadow_map");
         const DebugGroup group("shadow_map");
-        madeOnFirstUse(shadowMaps_).draw(plan_.shadowMapWork, scene_, plan_, gpuScene_);
+        madeOnFirstUse(shadowMapPass_).draw(plan_.shadowMapWork, scene_, plan_, gpuScene_);
     }
-    static const Texture2D noShadowMaps;
-    const Texture2D& shadowMaps = shadowMaps_ ? shadowMaps_->maps() : noShadowMaps;
-
     timer_.begin("forward");
     clear(*targets_);
     if (plan_.forward) {
         const DebugGroup group("forward");
-        madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, shadowMaps,
+        madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, shadowMaps(),
                                       *targets_);
     }
     if (plan_.beams) {
@@ -74,13 +71,16 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
 }
 
 void Renderer::drawBeams(const BeamsWork& work) {
-    static const Texture2D noShadowMaps;
-    const Texture2D& shadowMaps = shadowMaps_ ? shadowMaps_->maps() : noShadowMaps;
     if (work.settings.method == BeamSettings::Method::kPlanes) {
-        madeOnFirstUse(planeBeams_).draw(work, gpuScene_, shadowMaps, *targets_);
+        madeOnFirstUse(planeBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
     } else {
-        madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadowMaps, *targets_);
+        madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
     }
+}
+
+const Texture2D& Renderer::shadowMaps() const {
+    static const Texture2D none;
+    return shadowMapPass_ ? shadowMapPass_->maps() : none;
 }
 
 std::optional<double> Renderer::ev100() const {

@@ -39,6 +39,8 @@ class Renderer {
 
   private:
     void drawBeams(const BeamsWork& work);
+    /// Empty where no lamp has casters.
+    const Texture2D& shadowMaps() const;
 
     const Scene& scene_;
     GpuScene gpuScene_;
@@ -47,7 +49,7 @@ class Renderer {
     FramePlan plan_;
     PassTimer timer_;
     std::optional<FrameTargets> targets_;
-    std::optional<ShadowMapPass> shadowMaps_;
+    std::optional<ShadowMapPass> shadowMapPass_;
     std::optional<ForwardPass> forward_;
     std::optional<ClippedBeamsPass> clippedBeams_;
     std::optional<PlaneBeamsPass> planeBeams_;
