@@ -1,6 +1,7 @@
 #include "gltf/check_nodes.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,58 +39,63 @@ std::vector<int> settleParents(json& nodes, const Place& place, Report& report) 
     return parents;
 }
 
-// Whoever is reached from no root hangs in a circle.
-void checkCycles(const std::vector<int>& parents, const Place& place) {
-    constexpr char kUnknown = 0;
-    constexpr char kOnPath = 1;
-    constexpr char kFine = 2;
-    std::vector<char> state(parents.size(), kUnknown);
+// The topmost ancestor of every node, itself where it is a root. Throws Error(kBadInput) where
+// there is none, because nodes hang in a circle.
+std::vector<std::size_t> findTops(const std::vector<int>& parents, const Place& place) {
+    constexpr std::size_t kUnknown = SIZE_MAX;
+    constexpr std::size_t kOnPath = SIZE_MAX - 1;
+    std::vector<std::size_t> tops(parents.size(), kUnknown);
     std::vector<std::size_t> path;
     for (std::size_t start = 0; start < parents.size(); ++start) {
         path.clear();
         std::size_t node = start;
-        while (state[node] == kUnknown) {
-            state[node] = kOnPath;
+        while (tops[node] == kUnknown) {
+            tops[node] = kOnPath;
             path.push_back(node);
             if (parents[node] < 0) {
+                tops[node] = node;
                 break;
             }
             node = std::size_t(parents[node]);
-            if (state[node] == kOnPath) {
+            if (tops[node] == kOnPath) {
                 badInput(place.at(node), "contains itself, by way of node " +
                                              std::to_string(path.back()) +
                                              "; remove it from that node's children");
             }
         }
-        for (const std::size_t done : path) {
-            state[done] = kFine;
+        for (const std::size_t below : path) {
+            tops[below] = tops[node];
         }
     }
+    return tops;
 }
 
-void checkRoots(json& scenes, const std::vector<int>& parents, const Place& place, Report& report) {
+// Leaves in each scene's list true roots only, each once.
+void settleRoots(json& scenes, const std::vector<std::size_t>& tops, const Place& place,
+                 Report& report) {
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         const auto roots = scenes[s].find("nodes");
         if (roots == scenes[s].end()) {
             continue;
         }
         json kept = json::array();
-        std::vector<char> seen(parents.size(), 0);
+        std::vector<char> seen(tops.size(), 0);
         for (std::size_t r = 0; r < roots->size(); ++r) {
             const auto node = (*roots)[r].get<std::size_t>();
-            const Place here = place.at(s).at("nodes").at(r);
-            if (std::exchange(seen[node], 1) != 0) {
-                report.repaired(here, "node " + std::to_string(node) +
-                                          " is listed twice; the second is left out");
-                continue;
+            const std::size_t top = tops[node];
+            const bool isNew = std::exchange(seen[top], 1) == 0;
+            if (top != node) {
+                report.repaired(place.at(s).at("nodes").at(r),
+                                "is node " + std::to_string(node) +
+                                    ", no root; all from its root, node " + std::to_string(top) +
+                                    ", is drawn");
+            } else if (!isNew) {
+                report.repaired(place.at(s).at("nodes").at(r),
+                                "lists node " + std::to_string(node) + " again; it is drawn once");
             }
-            if (parents[node] >= 0) {
-                report.repaired(here, "node " + std::to_string(node) +
-                                          " is listed as a root, but hangs on node " +
-                                          std::to_string(parents[node]) +
-                                          "; it is drawn with all that is above it");
+            if (isNew) {
+                kept.push_back(top);
             }
-            kept.push_back(node);
         }
         *roots = std::move(kept);
     }
@@ -102,9 +108,9 @@ void checkNodes(json& root, const Place& file, Report& report) {
         return;
     }
     const std::vector<int> parents = settleParents(root["nodes"], file.at("nodes"), report);
-    checkCycles(parents, file.at("nodes"));
+    const std::vector<std::size_t> tops = findTops(parents, file.at("nodes"));
     if (root.contains("scenes")) {
-        checkRoots(root["scenes"], parents, file.at("scenes"), report);
+        settleRoots(root["scenes"], tops, file.at("scenes"), report);
     }
 }
 

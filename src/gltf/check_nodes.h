@@ -9,8 +9,8 @@
 namespace ribalta::gltf {
 
 /// Throws Error(kBadInput) where nodes contain each other in a circle. A node with several parents
-/// keeps the first; it is taken from the others' children, and from scenes' roots where it has a
-/// parent, and that is reported.
+/// keeps the first and is taken from the others' children; a scene's root that hangs on something
+/// gives way to the root above it, and none is listed twice. That is reported.
 void checkNodes(nlohmann::json& json, const Place& file, Report& report);
 
 }  // namespace ribalta::gltf

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "gltf/import.h"
+#include "gltf/tally.h"
 
 namespace ribalta::gltf {
 namespace {
@@ -81,7 +82,7 @@ void checkIndex(json& value, const char* into, const Where& where, const json& r
     const std::size_t count = target.is_array() ? target.size() : 0;
     if (number < 0 || std::uint64_t(number) >= count) {
         throw JsonFault{where.place(), "is " + std::to_string(number) + ", but the file has " +
-                                           std::to_string(count) + " " + into};
+                                           counted(count, into)};
     }
 }
 

@@ -81,7 +81,7 @@ std::vector<std::size_t> loadMeshes(const Import& import, Scene& scene, Report& 
         normalMapUvs.push_back(normalMapUvOf(import, i));
     }
     normalMapUvs.push_back(-1);
-    const std::vector<std::size_t> chosen = chooseMeshes(scene.nodes, import.model.meshes.size());
+    std::vector<std::size_t> chosen = chooseMeshes(scene.nodes, import.model.meshes.size());
     scene.meshes = readMeshes(import, chosen, normalMapUvs, report);
     return chosen;
 }

@@ -154,8 +154,7 @@ void normalise(Primitive& primitive, const Place& place, Report& report) {
                         std::to_string(broken) + " normals have no direction; +Y is used");
     }
     broken = 0;
-    for (std::size_t i = 0; i < primitive.tangents.size(); ++i) {
-        glm::vec4& tangent = primitive.tangents[i];
+    for (glm::vec4& tangent : primitive.tangents) {
         const glm::vec3 axis(tangent.x, tangent.y, tangent.z);
         const float length = glm::length(axis);
         const bool usable = std::isfinite(length) && length > 1e-20F;

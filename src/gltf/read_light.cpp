@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "gltf/bad_input.h"
+#include "gltf/tally.h"
 
 namespace ribalta::gltf {
 namespace {
@@ -107,7 +107,7 @@ BeamShape beamShapeOf(const Lamp& lamp, Report& report) {
         return BeamShape::kPyramid;
     }
     if (!shape.value.is_null() && shape.value != "cone") {
-        report.ignored(shape.place, "is neither \"cone\" nor \"pyramid\"; a cone is drawn");
+        report.ignored(shape.place, R"(is neither "cone" nor "pyramid"; a cone is drawn)");
     }
     return BeamShape::kCone;
 }
@@ -148,8 +148,7 @@ void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTab
     const json& lights = member(extension(import.json, kExtension), "lights");
     if (!index.is_number_integer() || index < 0 || index >= lights.size()) {
         report.ignored(usePlace, "is " + index.dump() + ", but the file has " +
-                                     std::to_string(lights.size()) +
-                                     " lights; this lamp is left out");
+                                     counted(lights.size(), "lights") + "; this lamp is left out");
         return;
     }
     const auto number = index.get<std::size_t>();

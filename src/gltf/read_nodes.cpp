@@ -1,6 +1,7 @@
 #include "gltf/read_nodes.h"
 
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
@@ -149,17 +150,12 @@ NodeList readNodes(const Import& import, Report& report) {
     // A stack of nodes to visit with their parents; check_nodes made sure that it is a forest.
     std::vector<std::pair<std::size_t, int>> open;
     const std::vector<std::size_t> roots = rootsOf(import, list.sceneName, report);
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
-        open.emplace_back(*root, -1);
+    for (const std::size_t root : std::views::reverse(roots)) {
+        open.emplace_back(root, -1);
     }
-    std::vector<char> visited(model.nodes.size(), 0);
     while (!open.empty()) {
         const auto [index, parent] = open.back();
         open.pop_back();
-        // A scene's root may also hang below another of its roots.
-        if (std::exchange(visited[index], 1) != 0) {
-            continue;
-        }
         const tinygltf::Node& source = model.nodes[index];
         Node node;
         node.name = source.name;
@@ -169,8 +165,8 @@ NodeList readNodes(const Import& import, Report& report) {
         const auto self = int(list.nodes.size());
         list.nodes.push_back(std::move(node));
         list.gltfNodes.push_back(index);
-        for (auto child = source.children.rbegin(); child != source.children.rend(); ++child) {
-            open.emplace_back(std::size_t(*child), self);
+        for (const int child : std::views::reverse(source.children)) {
+            open.emplace_back(std::size_t(child), self);
         }
     }
     mendWorldTransforms(list, import, report);

@@ -66,14 +66,14 @@ void tallyPrimitives(const json& root, const Where& rootWhere, Tally& attributes
     }
 }
 
-void reportArray(const json& root, const Place& file, const char* key, const std::string& fate,
-                 Report& report) {
+void reportArray(const json& root, const Place& file, const char* key, const char* fateOfOne,
+                 const char* fateOfMany, Report& report) {
     const json& list = member(root, key);
     if (list.is_null()) {
         return;
     }
     const std::size_t count = list.is_array() ? list.size() : 1;
-    report.ignored(file.at(key), std::to_string(count) + " " + key + fate);
+    report.ignored(file.at(key), counted(count, key) + (count == 1 ? fateOfOne : fateOfMany));
 }
 
 }  // namespace
@@ -81,8 +81,10 @@ void reportArray(const json& root, const Place& file, const char* key, const std
 void reportUnread(const Import& import, Report& report) {
     const Where root(import.file);
     reportArray(import.json, import.file, "animations",
+                " is not played; the scene is drawn as it stands",
                 " are not played; the scene is drawn as it stands", report);
     reportArray(import.json, import.file, "skins",
+                " is not applied; its meshes are drawn in rest position",
                 " are not applied; their meshes are drawn in rest position", report);
     Tally attributes;
     Tally morphs;

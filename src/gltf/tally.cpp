@@ -4,11 +4,20 @@ namespace ribalta::gltf {
 
 void Tally::tell(Report::Kind kind, const std::string& ending, Report& report) const {
     for (const auto& [remark, seen] : remarks_) {
-        const std::string more =
-            seen.count > 1 ? " (" + std::to_string(seen.count) + " places, this is the first)"
-                           : std::string();
-        gltf::tell(kind, seen.first, remark + ending + more, report);
+        std::string message = remark + ending;
+        if (seen.count > 1) {
+            message.append(" (")
+                .append(counted(seen.count, "places"))
+                .append(", this is the first)");
+        }
+        gltf::tell(kind, seen.first, message, report);
     }
+}
+
+std::string counted(std::size_t count, const std::string& things) {
+    const std::size_t plural = things.ends_with("shes") ? 2 : 1;
+    return std::to_string(count) + " " +
+           (count == 1 ? things.substr(0, things.size() - plural) : things);
 }
 
 void tell(Report::Kind kind, const Place& place, const std::string& message, Report& report) {

@@ -32,6 +32,9 @@ class Tally {
     std::map<std::string, Seen> remarks_;
 };
 
+/// "1 mesh", "2 meshes": a count of things that are given in the plural.
+std::string counted(std::size_t count, const std::string& things);
+
 /// Adds one line, or all of another report's, to a report.
 void tell(Report::Kind kind, const Place& place, const std::string& message, Report& report);
 void append(const Report& part, Report& whole);

@@ -246,7 +246,7 @@ TEST(LampTest, FaultyLightCostsOnlyItsLamps) {
     const LoadedScene loaded = load(file);
     EXPECT_TRUE(loaded.scene.spotLights.empty());
     expectLine(loaded, Report::Kind::kIgnored, "/nodes/1/extensions/KHR_lights_punctual/light",
-               "the file has 1 lights");
+               "the file has 1 light");
 }
 
 }  // namespace

@@ -101,7 +101,16 @@ TEST(GltfNodeTest, RootThatIsAChildIsDrawnOnce) {
     file.addNode({{"name", "child"}});
     const LoadedScene loaded = load(file);
     EXPECT_EQ(loaded.scene.nodes.size(), 2U);
-    expectLine(loaded, Report::Kind::kRepaired, "/scenes/0/nodes/1", "hangs on node 0");
+    expectLine(loaded, Report::Kind::kRepaired, "/scenes/0/nodes/1", "its root, node 0");
+    // In the other order, and alone, it still stands where its parent puts it.
+    for (const json& roots : {json{1, 0}, json{1}}) {
+        file.json["scenes"][0]["nodes"] = roots;
+        file.json["nodes"][0]["translation"] = {3, 0, 0};
+        const LoadedScene turned = load(file);
+        ASSERT_EQ(turned.scene.nodes.size(), 2U);
+        EXPECT_EQ(turned.scene.nodes[1].name, "child");
+        EXPECT_EQ(turned.scene.nodes[1].worldFromLocal[3].x, 3.0);
+    }
 }
 
 TEST(GltfNodeTest, ImpossibleTransformsAreMended) {
