@@ -19,6 +19,10 @@ void GLAPIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum 
         return;
     }
     errors().emplace_back(message, std::size_t(length));
+    // Memory that is not there is told by whoever asked for it, as an Error.
+    if (errors().back().find("GL_OUT_OF_MEMORY") != std::string::npos) {
+        return;
+    }
     std::fprintf(stderr, "ribalta: OpenGL error: %s\n", errors().back().c_str());
 }
 
