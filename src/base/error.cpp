@@ -6,9 +6,6 @@
 #include "base/check.h"
 
 namespace ribalta {
-namespace {
-
-// A message is one line whatever a file's strings hold.
 std::string oneLine(std::string text) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
@@ -17,8 +14,6 @@ std::string oneLine(std::string text) {
     }
     return text;
 }
-
-}  // namespace
 
 void checkFailed(const char* condition, const char* file, int line) {
     std::fprintf(stderr, "%s:%d: internal error: %s does not hold\n", file, line, condition);

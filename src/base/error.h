@@ -18,6 +18,9 @@ struct Place {
     Place at(std::size_t index) const;
 };
 
+/// The text without line breaks and other control characters, whatever a file's strings hold.
+std::string oneLine(std::string text);
+
 /// What went wrong; its value is the program's exit code.
 enum class ErrorKind {
     kJobFailed = 1,  ///< the work could not be completed: unwritable output, disk full

@@ -1,7 +1,6 @@
 #include "base/log.h"
 
-#include <cstdio>
-
+#include "base/error.h"
 #include "base/progress.h"
 
 namespace ribalta {
@@ -18,14 +17,12 @@ bool isVerbose() {
 }
 
 void logWarning(const std::string& line) {
-    Progress::clearLine();
-    std::fprintf(stderr, "ribalta: warning: %s\n", line.c_str());
+    Progress::writeLine("ribalta: warning: " + oneLine(line));
 }
 
 void logVerbose(const std::string& line) {
     if (verboseSwitch) {
-        Progress::clearLine();
-        std::fprintf(stderr, "%s\n", line.c_str());
+        Progress::writeLine(line);
     }
 }
 

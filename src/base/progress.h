@@ -4,32 +4,34 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
-#include <mutex>
 #include <string>
+#include <thread>
 
 namespace ribalta {
 
-/// Shows "what  37/128" in place while it lives; step() may be called from any thread.
+/// Shows "what  37/128  4 s" in place while it lives, from the first second on. Where several live,
+/// the newest is shown. step() may be called from any thread.
 class Progress {
   public:
-    /// `total` steps of work; zero where the number is not known.
-    Progress(std::string what, std::size_t total);
+    /// `total` steps of work; zero where there are none to count.
+    explicit Progress(std::string what, std::size_t total = 0);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void step();
+    void step() { ++done_; }
 
-    /// Removes a progress line that is on the terminal, so that another line can be written.
-    static void clearLine();
+    /// Writes a line to stderr, in the place of a progress line where one is on the terminal.
+    static void writeLine(const std::string& line);
 
   private:
+    void show() const;
+
     std::string what_;
     std::size_t total_;
     std::atomic<std::size_t> done_ = 0;
-    std::mutex mutex_;
     std::chrono::steady_clock::time_point start_;
-    std::chrono::steady_clock::time_point shown_;
+    std::jthread ticker_;  ///< only on a terminal: work that takes long need not call step()
 };
 
 }  // namespace ribalta

@@ -11,7 +11,7 @@
 namespace ribalta {
 
 std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t limitBytes) {
-    const Place place{path.string(), ""};
+    const Place place{path.empty() ? "''" : path.string(), ""};
     std::error_code status;
     const auto type = std::filesystem::status(path, status).type();
     if (type == std::filesystem::file_type::not_found) {

@@ -1,5 +1,7 @@
 #include "base/temporary_file.h"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -17,6 +19,27 @@ namespace {
 
 [[noreturn]] void failed(const std::filesystem::path& target, const std::string& why) {
     throw Error(ErrorKind::kJobFailed, {target.string(), ""}, "cannot be written: " + why);
+}
+
+// The names that a signal handler must remove; null where a slot is free.
+std::array<std::atomic<const char*>, 16> unfinished{};
+
+void remember(const char* name) {
+    for (auto& slot : unfinished) {
+        const char* free = nullptr;
+        if (slot.compare_exchange_strong(free, name)) {
+            return;
+        }
+    }
+}
+
+void forget(const char* name) {
+    for (auto& slot : unfinished) {
+        const char* mine = name;
+        if (slot.compare_exchange_strong(mine, nullptr)) {
+            return;
+        }
+    }
 }
 
 }  // namespace
@@ -43,12 +66,13 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(targ
         const std::string why = std::strerror(errno);
         failed(target, why + (errno == ENOENT ? "; make the folder first" : ""));
     }
+    path_ = name;
+    remember(path_.c_str());
     // mkstemps makes the file private; an output gets the permissions any new file would have.
     const mode_t mask = umask(0);
     umask(mask);
     fchmod(file, 0666 & ~mask);
     close(file);
-    path_ = name;
 }
 
 TemporaryFile::~TemporaryFile() {
@@ -56,6 +80,7 @@ TemporaryFile::~TemporaryFile() {
         std::error_code ignored;
         std::filesystem::remove(path_, ignored);
     }
+    forget(path_.c_str());
 }
 
 void TemporaryFile::commit() {
@@ -87,6 +112,14 @@ void writeFileAtomically(const std::filesystem::path& target, std::string_view c
         failed(target, std::strerror(errno));
     }
     temporary.commit();
+}
+
+void removeTemporaryFiles() noexcept {
+    for (const auto& slot : unfinished) {
+        if (const char* const name = slot.load()) {
+            unlink(name);
+        }
+    }
 }
 
 }  // namespace ribalta

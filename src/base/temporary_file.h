@@ -33,4 +33,8 @@ class TemporaryFile {
 /// Writes `content` to `target` by way of a TemporaryFile. Throws Error(kJobFailed).
 void writeFileAtomically(const std::filesystem::path& target, std::string_view content);
 
+/// Removes the files of all TemporaryFiles there are (of the first 16, where there are more). Safe
+/// in a signal handler, after which the process must end.
+void removeTemporaryFiles() noexcept;
+
 }  // namespace ribalta

@@ -100,11 +100,22 @@ std::optional<double> parseExposure(const std::string& text) {
     return ev100;
 }
 
+std::string expectPositive(const std::string& text) {
+    return parseNumber<double>(text).value_or(0.0) > 0.0 ? ""
+                                                         : "'" + text + "' is not a number above 0";
+}
+
+std::string expectNotNegative(const std::string& text) {
+    return parseNumber<double>(text).value_or(-1.0) >= 0.0
+               ? ""
+               : "'" + text + "' is not a number, 0 or above";
+}
+
 Camera chooseCamera(const Scene& scene, const std::optional<std::string>& nameOrIndex,
                     double aspectRatio) {
     if (!nameOrIndex) {
         if (scene.cameras.empty()) {
-            logVerbose("camera: none in the file; one that frames the scene is made");
+            logWarning("the file has no camera; one that frames the scene is made");
             return makeFramingCamera(sceneBounds(scene), aspectRatio);
         }
         return scene.cameras.front();

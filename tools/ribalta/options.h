@@ -30,6 +30,11 @@ void parsePhase(const std::string& text, PhaseFunction& phase);
 /// "auto" or a number.
 std::optional<double> parseExposure(const std::string& text);
 
+/// Checks for CLI11: an empty text where `text` is a finite number above zero (not below zero),
+/// otherwise what was expected.
+std::string expectPositive(const std::string& text);
+std::string expectNotNegative(const std::string& text);
+
 /// The camera of that name or index (from 0); without a text the first one, or one that frames the
 /// scene where the file has none. Throws Error(kUsage) that says which there are.
 Camera chooseCamera(const Scene& scene, const std::optional<std::string>& nameOrIndex,

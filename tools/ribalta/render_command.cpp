@@ -132,13 +132,37 @@ RenderStats drawFrames(Renderer& renderer, const Camera& camera, const FrameSett
     return stats;
 }
 
+LoadedScene load(const std::string& scene) {
+    const Progress progress("loading");
+    return loadGltf(scene);
+}
+
+// How long each part took, and what was drawn with.
+void tellOfFrames(const std::string& scene, const RenderStats& stats) {
+    logVerbose("plan: " + std::filesystem::path(scene).stem().string() + ": " + stats.plan);
+    char line[96];
+    for (const LoadedScene::Stage& stage : stats.load) {
+        std::snprintf(line, sizeof line, "load: %-10s %9.2f ms", stage.name.c_str(), stage.ms);
+        logVerbose(line);
+    }
+    logVerbose(describeTimes(stats));
+    if (stats.ev100) {
+        std::snprintf(line, sizeof line, "exposure: EV100 %.2f", *stats.ev100);
+        logVerbose(line);
+    }
+}
+
 void render(const RenderOptions& options) {
     setVerbose(options.verbose);
-    const RenderOutputs outputs{options.outputs, parseLayers(options.layers)};
+    const RenderOutputs outputs{options.outputs, parseLayers(options.layers), options.stats};
+    if (outputs.files.empty() && outputs.stats.empty() && !options.verbose) {
+        throw CLI::ValidationError("nothing to write",
+                                   "give -o FILE.png, -o FILE.exr or --stats FILE.json");
+    }
     const FrameSettings settings = settingsFrom(options, outputs);
     checkOutputs(outputs);
 
-    const LoadedScene loaded = loadGltf(options.scene);
+    const LoadedScene loaded = load(options.scene);
     tellOfScene(loaded);
     const Camera camera = chooseCamera(loaded.scene, options.camera,
                                        double(settings.width) / double(settings.height));
@@ -149,7 +173,9 @@ void render(const RenderOptions& options) {
                (context.isSoftware() ? " (software; no GPU found)" : ""));
     const double contextMs = msSince(start);
     start = Clock::now();
+    std::optional<Progress> progress(std::in_place, "uploading");
     Renderer renderer(loaded.scene);
+    progress.reset();
     const double uploadMs = msSince(start);
 
     RenderStats stats = drawFrames(renderer, camera, settings, options.repeat);
@@ -159,78 +185,97 @@ void render(const RenderOptions& options) {
     stats.load.push_back({"upload", uploadMs});
     stats.peakBytes = peakMemory();
 
-    logVerbose("plan: " + std::filesystem::path(options.scene).stem().string() + ": " + stats.plan);
-    for (const LoadedScene::Stage& stage : stats.load) {
-        char line[96];
-        std::snprintf(line, sizeof line, "load: %-10s %9.2f ms", stage.name.c_str(), stage.ms);
-        logVerbose(line);
-    }
-    logVerbose(describeTimes(stats));
-    if (stats.ev100) {
-        char line[64];
-        std::snprintf(line, sizeof line, "exposure: EV100 %.2f", *stats.ev100);
-        logVerbose(line);
-    }
+    tellOfFrames(options.scene, stats);
+    progress.emplace("writing");
     writeOutputs(outputs, renderer.lastPlan(), renderer.targets());
     if (!options.stats.empty()) {
         writeStats(options.stats, stats);
     }
 }
 
-void addOptions(CLI::App& command, RenderOptions& options) {
-    command.add_option("scene", options.scene, "glTF scene (.gltf or .glb)")->required();
+void addPictureOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("scene", options.scene, "glTF scene, .gltf or .glb")
+        ->type_name("FILE")
+        ->required();
     command
         .add_option("-o,--output", options.outputs,
-                    "picture to write, once or several times: .png for the screen, .exr in cd/m2")
+                    "picture to write: .png for the screen, .exr in cd/m2; may be given several "
+                    "times")
+        ->type_name("FILE")
         ->allow_extra_args(false);
-    command.add_option("--camera", options.camera,
-                       "camera by name or index from 0 (default: the first; without any, one that "
-                       "frames the scene)");
-    command.add_option("--size", options.size, "picture in pixels, WIDTHxHEIGHT")
-        ->capture_default_str();
     command
-        .add_option("--haze", options.haze,
-                    "SCATTERING[,ABSORPTION] of the haze in 1/m; 0 is clear air without beams")
+        .add_option("--camera", options.camera,
+                    "camera, by name or counted from 0 (default: the first; without any, one that "
+                    "frames the scene)")
+        ->type_name("NAME|INDEX");
+    command.add_option("--size", options.size, "size of the picture in pixels")
+        ->type_name("WxH")
         ->capture_default_str();
-    command
-        .add_option("--phase", options.phase,
-                    "phase function: gibbons, isotropic, rayleigh, hg:G, cornette-shanks:G")
-        ->capture_default_str();
-    command
-        .add_option("--beams", options.beams,
-                    "clipped: sheets within each beam; planes: the whole view's (Pessoa 2007)")
-        ->check(CLI::IsMember({"clipped", "planes"}))
-        ->capture_default_str();
-    command.add_option("--planes", options.planes, "sheets a beam, or planes of the view")
-        ->check(CLI::Range(1, 65536))
-        ->capture_default_str();
-    command.add_option("--cells", options.cells,
-                       "QxQ: with planes, cells on whose corners the smooth factor is evaluated "
-                       "(default: at every pixel)");
-    command
-        .add_option("--K", options.k,
-                    "factor of Gibbons' phase function (default: 1/(8 pi), which is physical)")
-        ->check(CLI::PositiveNumber);
-    command
-        .add_option("--dt", options.spacing,
-                    "with planes, their distance in metres (default: spread over the scene)")
-        ->check(CLI::PositiveNumber);
     command
         .add_option("--exposure", options.exposure,
-                    "EV100 of the .png, or auto; +1 halves the brightness")
+                    "exposure of the .png as EV100, -60..60, or auto; 1 more halves its brightness")
+        ->type_name("EV100|auto")
         ->capture_default_str();
     command.add_option("--ambient", options.ambient, "even light from all around, in lux")
-        ->check(CLI::NonNegativeNumber)
+        ->type_name("LUX")
+        ->check(expectNotNegative, "")
         ->capture_default_str();
-    command.add_option("--aov", options.layers,
-                       "more layers of the .exr, by comma: beams, transmittance, depth, normal");
-    command.add_option("--stats", options.stats, "write times and counters to this JSON file");
     command
-        .add_option("--repeat", options.repeat, "draw the frame so many times and report medians")
-        ->check(CLI::Range(1, 100000))
+        .add_option("--aov", options.layers,
+                    "more layers of the .exr, by comma: beams, transmittance, depth, normal")
+        ->type_name("LAYERS");
+    command.add_option("--stats", options.stats, "write times and counters to this JSON file")
+        ->type_name("FILE.json");
+    command
+        .add_option("--repeat", options.repeat,
+                    "draw the frame so many times, 1..100000, and report medians")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100000).description(""))
         ->capture_default_str();
     command.add_flag("--verbose", options.verbose,
                      "say which OpenGL is used, what is drawn and how long it takes");
+}
+
+void addHazeOptions(CLI::App& command, RenderOptions& options) {
+    command
+        .add_option("--haze", options.haze,
+                    "SCATTERING[,ABSORPTION] of the haze in 1/m; 0 is clear air without beams")
+        ->type_name("S[,A]")
+        ->capture_default_str();
+    command
+        .add_option("--phase", options.phase,
+                    "phase function of the haze: gibbons, isotropic, rayleigh, hg:G, "
+                    "cornette-shanks:G, with -1 < G < 1")
+        ->type_name("NAME[:G]")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--beams", options.beams,
+            "how beams are drawn: clipped, with sheets within each beam, or planes, through "
+            "the whole view (Pessoa 2007)")
+        ->type_name("METHOD")
+        ->check(CLI::IsMember({"clipped", "planes"}).description(""))
+        ->capture_default_str();
+    command
+        .add_option("--planes", options.planes, "sheets a beam, or planes of the view, 1..65536")
+        ->type_name("N")
+        ->check(CLI::Range(1, 65536).description(""))
+        ->capture_default_str();
+    command
+        .add_option("--cells", options.cells,
+                    "with planes: cells, 1..1024 each way, on whose corners the smooth factor is "
+                    "evaluated (default: at every pixel)")
+        ->type_name("QxQ");
+    command
+        .add_option("--K", options.k,
+                    "factor of Gibbons' phase function (default: 1/(8 pi), which is physical)")
+        ->type_name("NUMBER")
+        ->check(expectPositive, "");
+    command
+        .add_option("--dt", options.spacing,
+                    "with planes: their distance in metres (default: spread over the scene)")
+        ->type_name("METRES")
+        ->check(expectPositive, "");
 }
 
 }  // namespace
@@ -238,7 +283,8 @@ void addOptions(CLI::App& command, RenderOptions& options) {
 void addRenderCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draws one frame without a window.");
     const auto options = std::make_shared<RenderOptions>();
-    addOptions(*command, *options);
+    addPictureOptions(*command, *options);
+    addHazeOptions(*command, *options);
     command->callback([options] { render(*options); });
 }
 

@@ -20,6 +20,13 @@ std::string endingOf(const std::filesystem::path& path) {
     return ending;
 }
 
+void refuseFolder(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw Error(ErrorKind::kUsage, {path.string(), ""}, "is a folder; give a file name in it");
+    }
+}
+
 bool anyEndsWith(const RenderOutputs& outputs, const char* ending) {
     return std::any_of(outputs.files.begin(), outputs.files.end(),
                        [&](const auto& file) { return endingOf(file) == ending; });
@@ -38,11 +45,27 @@ bool RenderOutputs::wantsExr() const {
 void checkOutputs(const RenderOutputs& outputs) {
     for (const std::filesystem::path& file : outputs.files) {
         if (endingOf(file) != ".png" && endingOf(file) != ".exr") {
+            refuseFolder(file);
             throw Error(ErrorKind::kUsage, {file.string(), ""},
                         "the ending says no format; use .png or .exr");
         }
-        // Opening one now, uncommitted, shows in time what would fail after the work.
+    }
+    if (!outputs.stats.empty() && endingOf(outputs.stats) != ".json") {
+        refuseFolder(outputs.stats);
+        throw Error(ErrorKind::kUsage, {outputs.stats.string(), ""},
+                    "statistics are written as JSON; use the ending .json");
+    }
+    const FrameLayers& layers = outputs.layers;
+    if ((layers.beams || layers.transmittance || layers.depth || layers.normal) &&
+        !outputs.wantsExr()) {
+        throw CLI::ValidationError("--aov", "only an .exr has layers; add -o FILE.exr");
+    }
+    // Opening each now, uncommitted, shows in time what would fail after the work.
+    for (const std::filesystem::path& file : outputs.files) {
         const TemporaryFile probe(file);
+    }
+    if (!outputs.stats.empty()) {
+        const TemporaryFile probe(outputs.stats);
     }
 }
 

@@ -11,17 +11,18 @@
 
 namespace ribalta {
 
-/// What `-o` and `--aov` ask for.
+/// What `-o`, `--aov` and `--stats` ask for.
 struct RenderOutputs {
     std::vector<std::filesystem::path> files;
     FrameLayers layers;
+    std::filesystem::path stats;  ///< empty: none
 
     bool wantsPng() const;
     bool wantsExr() const;
 };
 
-/// Throws Error(kUsage) for an ending other than .png or .exr, Error(kJobFailed) for a folder that
-/// is not there or cannot be written, before any work is done.
+/// Before any work is done, throws Error(kUsage) for an ending that says no format and for layers
+/// that no file holds, Error(kJobFailed) for a folder that is not there or cannot be written.
 void checkOutputs(const RenderOutputs& outputs);
 
 /// "beams,depth" into layers; throws CLI::ValidationError that lists them.

@@ -71,7 +71,7 @@ std::string describeTimes(const RenderStats& stats) {
         text += row(pass.name, pass.cpuMs, pass.gpuMs);
     }
     char line[160];
-    std::snprintf(line, sizeof line, "  frame %.2f ms%s, first frame %.2f ms\n", times.frameMs,
+    std::snprintf(line, sizeof line, "  frame %.2f ms%s, first frame %.2f ms", times.frameMs,
                   stats.frames.size() > 1
                       ? (" (median of " + std::to_string(stats.frames.size()) + ")").c_str()
                       : "",

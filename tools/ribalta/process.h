@@ -1,0 +1,14 @@
+// The command as a process: its signals and standard streams. Knows nothing of pictures.
+#pragma once
+
+namespace ribalta {
+
+/// To be called first in main. A stream that was closed is opened on nothing, so that no output
+/// file takes its number; a file size limit becomes a failed write; interrupts, and a reader that
+/// goes away, end the process as usual, but leave no temporary file behind.
+void prepareProcess();
+
+/// Throws Error(kJobFailed) where what went to stdout was not all written.
+void finishStdout();
+
+}  // namespace ribalta
