@@ -1,0 +1,256 @@
+// The frame plan held against what OpenGL was really asked for: what a frame does not need is not
+// made, built or drawn.
+#include <cmath>
+
+#include "gl/counters.h"
+#include "gpu_test.h"
+#include "support/stage.h"
+
+namespace ribalta::test {
+namespace {
+
+/// How many names OpenGL itself knows of a kind.
+template <typename IsOne>
+int countLive(const IsOne& isOne) {
+    int count = 0;
+    for (GLuint name = 1; name < 5000; ++name) {
+        count += isOne(name) == GL_TRUE ? 1 : 0;
+    }
+    return count;
+}
+
+struct Live {
+    int programs = countLive([](GLuint name) { return glIsProgram(name); });
+    int textures = countLive([](GLuint name) { return glIsTexture(name); });
+    int framebuffers = countLive([](GLuint name) { return glIsFramebuffer(name); });
+    int buffers = countLive([](GLuint name) { return glIsBuffer(name); });
+};
+
+class Skipping : public GpuTest {
+  protected:
+    Skipping() {
+        addShape(scene_, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}), makeMaterial(glm::vec3(0.5F)));
+        addShape(scene_, makeSphere({0, 1, 0}, 0.5F, 16), makeMaterial(glm::vec3(0.5F)));
+        scene_.spotLights.push_back(makeSpot({0, 5, 0}, {0, 0, 0}, 0.3));
+        settings_.haze.scatteringPerMetre = 0.05;
+        settings_.beams.planes = 8;
+    }
+
+    /// What a new renderer's first frame has made: textures, framebuffers and buffers by OpenGL's
+    /// own count, programs by ours, since a driver may hold on to a deleted program for a while.
+    Live firstFrame() {
+        const Live before;
+        const std::uint64_t built = glCounters().programsBuilt;
+        Renderer renderer(scene_);
+        renderer.draw(camera_, settings_);
+        line_ = renderer.lastPlan().describe();
+        const Live after;
+        return {int(glCounters().programsBuilt - built), after.textures - before.textures,
+                after.framebuffers - before.framebuffers, after.buffers - before.buffers};
+    }
+
+    Scene scene_;
+    Camera camera_ = makeCamera({0, 2, 8}, {0, 1, 0});
+    FrameSettings settings_ = measuringSettings();
+    std::string line_;
+};
+
+TEST_F(Skipping, OnlyWhatThePlanNamesIsBuilt) {
+    // Surfaces alone: one program, the frame's colours and depth.
+    Scene whole = scene_;
+    scene_.spotLights.clear();
+    Live made = firstFrame();
+    EXPECT_EQ(line_, "forward");
+    EXPECT_EQ(made.programs, 1);
+    EXPECT_EQ(made.textures, 2);
+    const int framebuffers = made.framebuffers;
+
+    // A lamp without haze: a shadow program, one texture for its map, no beam program.
+    scene_ = whole;
+    settings_.haze.scatteringPerMetre = 0.0;
+    made = firstFrame();
+    EXPECT_EQ(line_, "shadow_map[1] forward");
+    EXPECT_EQ(made.programs, 2);
+    EXPECT_EQ(made.textures, 3);
+    EXPECT_EQ(made.framebuffers, framebuffers + 1);
+
+    // Haze: one program more, no texture.
+    settings_.haze.scatteringPerMetre = 0.05;
+    made = firstFrame();
+    EXPECT_EQ(line_, "shadow_map[1] forward beams[1]");
+    EXPECT_EQ(made.programs, 3);
+    EXPECT_EQ(made.textures, 3);
+
+    // A light map: one texture more.
+    useLightMap(scene_, scene_.spotLights[0],
+                makeImage(8, 8, [](int, int) { return glm::vec4(1.0F); }));
+    made = firstFrame();
+    EXPECT_EQ(made.programs, 3);
+    EXPECT_EQ(made.textures, 4);
+
+    // A picture for a screen: a program and a texture; looking for the exposure: a program more.
+    settings_.display = true;
+    settings_.ev100 = 3.0;
+    made = firstFrame();
+    EXPECT_EQ(line_, "shadow_map[1] forward beams[1] tonemap");
+    EXPECT_EQ(made.programs, 4);
+    EXPECT_EQ(made.textures, 5);
+    settings_.ev100.reset();
+    made = firstFrame();
+    EXPECT_EQ(line_, "shadow_map[1] forward beams[1] exposure tonemap");
+    EXPECT_EQ(made.programs, 5);
+    EXPECT_EQ(made.textures, 5);
+}
+
+TEST_F(Skipping, AnEmptySceneBuildsNoProgram) {
+    scene_ = {};
+    const std::uint64_t drawCalls = glCounters().drawCalls;
+    const Live made = firstFrame();
+    EXPECT_EQ(line_, "nothing");
+    EXPECT_EQ(made.programs, 0);
+    EXPECT_EQ(made.textures, 2) << "the frame's colours and depth";
+    EXPECT_EQ(glCounters().drawCalls, drawCalls);
+}
+
+TEST_F(Skipping, LampsWithoutCastersHaveNoShadowTexture) {
+    scene_.spotLights[0] = makeSpot({0, 3, 0}, {0, 9, 0}, 0.3);
+    const Live made = firstFrame();
+    EXPECT_EQ(line_, "forward beams[1]");
+    EXPECT_EQ(made.programs, 2);
+    EXPECT_EQ(made.textures, 2);
+}
+
+TEST_F(Skipping, DarkLampsBuildNothing) {
+    scene_.spotLights[0].intensityCandela = 0.0;
+    const Live made = firstFrame();
+    EXPECT_EQ(line_, "forward");
+    EXPECT_EQ(made.programs, 1);
+    EXPECT_EQ(made.textures, 2);
+}
+
+std::uint64_t plannedDrawCalls(const FramePlan& plan) {
+    std::size_t calls = 0;
+    for (const ShadowMapWork& work : plan.shadowMapWork) {
+        calls += work.casters.size();
+    }
+    if (plan.forward) {
+        calls += plan.forward->opaque.size() + plan.forward->blended.size();
+    }
+    if (plan.beams) {
+        calls += plan.beams->settings.method == BeamSettings::Method::kPlanes
+                     ? plan.beams->lamps.size()
+                     : 1;
+    }
+    if (plan.tonemap) {
+        calls += plan.tonemap->ev100 ? 1 : 2;
+    }
+    return calls;
+}
+
+TEST_F(Skipping, DrawCallsAreWhatThePlanSays) {
+    scene_.spotLights.push_back(makeSpot({3, 4, 1}, {0, 0.5, 0}, 0.2));
+    Material glass = makeMaterial(glm::vec3(0.5F));
+    glass.alphaMode = Material::AlphaMode::kBlend;
+    addShape(scene_, makeQuad({0, 1, 2}, {1, 0, 0}, {0, 1, 0}), glass);
+    for (const auto method : {BeamSettings::Method::kClipped, BeamSettings::Method::kPlanes}) {
+        for (const bool display : {false, true}) {
+            Renderer renderer(scene_);
+            settings_.beams.method = method;
+            settings_.display = display;
+            for (int frame = 0; frame < 2; ++frame) {
+                const std::uint64_t before = glCounters().drawCalls;
+                const FramePlan& plan = renderer.draw(camera_, settings_);
+                EXPECT_EQ(glCounters().drawCalls - before, plannedDrawCalls(plan))
+                    << plan.describe();
+                EXPECT_EQ(plan.shadowMapWork.empty(), frame == 1);
+                EXPECT_EQ(plan.forward->blended.size(), 1U);
+            }
+        }
+    }
+}
+
+TEST_F(Skipping, TheSecondFrameMakesNothingNew) {
+    useLightMap(scene_, scene_.spotLights[0],
+                makeImage(8, 8, [](int, int) { return glm::vec4(1.0F); }));
+    settings_.display = true;
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    const Frame3 first = readBack(renderer);
+    const GlCounters before = glCounters();
+    const Live liveBefore;
+    renderer.draw(camera_, settings_);
+    const GlCounters after = glCounters();
+    const Live liveAfter;
+    EXPECT_EQ(renderer.lastPlan().describe(), "forward beams[1] exposure tonemap");
+    EXPECT_EQ(after.programsBuilt, before.programsBuilt);
+    EXPECT_EQ(after.texturesMade, before.texturesMade);
+    EXPECT_EQ(after.framebuffersMade, before.framebuffersMade);
+    EXPECT_EQ(after.bytesAllocated, before.bytesAllocated);
+    EXPECT_EQ(liveAfter.programs, liveBefore.programs);
+    EXPECT_EQ(liveAfter.textures, liveBefore.textures);
+    EXPECT_EQ(liveAfter.buffers, liveBefore.buffers);
+    // And is the same picture.
+    EXPECT_EQ(readBack(renderer).image.values, first.image.values);
+}
+
+TEST_F(Skipping, CountersAgreeWithOpenGl) {
+    // A deleted program that is still the current one counts as living.
+    glUseProgram(0);
+    const GlCounters before = glCounters();
+    const Live liveBefore;
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    const GlCounters after = glCounters();
+    const Live live;
+    EXPECT_EQ(after.programsBuilt - before.programsBuilt,
+              std::uint64_t(live.programs - liveBefore.programs));
+    EXPECT_EQ(after.texturesMade - before.texturesMade,
+              std::uint64_t(live.textures - liveBefore.textures));
+    EXPECT_EQ(after.framebuffersMade - before.framebuffersMade,
+              std::uint64_t(live.framebuffers - liveBefore.framebuffers));
+}
+
+TEST_F(Skipping, ARendererLeavesNothingBehind) {
+    settings_.display = true;
+    glUseProgram(0);
+    const Live before;
+    const std::uint64_t bytes = glCounters().bytesAllocated;
+    firstFrame();
+    glUseProgram(0);
+    const Live after;
+    EXPECT_EQ(after.programs, before.programs);
+    EXPECT_EQ(after.textures, before.textures);
+    EXPECT_EQ(after.framebuffers, before.framebuffers);
+    EXPECT_EQ(after.buffers, before.buffers);
+    EXPECT_EQ(glCounters().bytesAllocated, bytes);
+}
+
+TEST_F(Skipping, AMovedCasterIsSeenInTheNextFrame) {
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    moveNode(scene_, 1, {0.5, 0.5, 0.0});
+    renderer.draw(camera_, settings_);
+    EXPECT_EQ(renderer.lastPlan().describe(), "shadow_map[1] forward beams[1]");
+    const Frame3 kept = readBack(renderer);
+    // A renderer that knows nothing of earlier frames draws the same.
+    EXPECT_EQ(drawOnce(scene_, camera_, settings_).image.values, kept.image.values);
+    renderer.forget();
+    renderer.draw(camera_, settings_);
+    EXPECT_EQ(renderer.lastPlan().describe(), "shadow_map[1] forward beams[1]");
+}
+
+TEST_F(Skipping, EveryPassDrawnHasATime) {
+    settings_.display = true;
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    std::string names;
+    for (const PassTime& time : renderer.takeTimes()) {
+        names += time.name + ' ';
+        EXPECT_GE(time.cpuMs, 0.0);
+        EXPECT_GE(time.gpuMs, 0.0);
+    }
+    EXPECT_EQ(names, "upload shadow_map forward beams tonemap ");
+}
+
+}  // namespace
+}  // namespace ribalta::test

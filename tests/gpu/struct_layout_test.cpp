@@ -1,0 +1,149 @@
+// The structs of shaders/shared as the driver lays them out against C++'s own layout.
+#include <cstddef>
+#include <map>
+
+#include <shared/beams.h>
+#include <shared/lamp.h>
+#include <shared/slots.h>
+#include <shared/surface.h>
+#include <shared/view.h>
+
+#include "gl/program.h"
+#include "gpu_test.h"
+
+namespace ribalta::test {
+namespace {
+
+struct Member {
+    const char* name;
+    std::size_t offset;
+};
+
+class StructLayout : public GpuTest {
+  protected:
+    static GLint property(const Program& program, GLenum interface, const std::string& name,
+                          GLenum what) {
+        const GLuint index = glGetProgramResourceIndex(program.name(), interface, name.c_str());
+        if (index == GL_INVALID_INDEX) {
+            return -1;
+        }
+        GLint value = -2;
+        glGetProgramResourceiv(program.name(), interface, index, 1, &what, 1, nullptr, &value);
+        return value;
+    }
+    /// Members of an unsized array of structs in a std430 buffer, and its stride. A member that the
+    /// program does not use has no offset to ask for: at least `atLeast` must have one.
+    static void expectBuffer(const Program& program, const std::string& block,
+                             const std::string& array, const std::vector<Member>& members,
+                             std::size_t stride, int atLeast) {
+        int found = 0;
+        for (const Member& member : members) {
+            const std::string name = array + "[0]." + member.name;
+            const GLint offset = property(program, GL_BUFFER_VARIABLE, name, GL_OFFSET);
+            if (offset < 0) {
+                continue;
+            }
+            ++found;
+            EXPECT_EQ(offset, GLint(member.offset)) << block << ": " << name;
+            EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, name, GL_TOP_LEVEL_ARRAY_STRIDE),
+                      GLint(stride))
+                << block << ": " << name;
+        }
+        EXPECT_GE(found, atLeast) << block;
+    }
+    static void expectUniforms(const Program& program, const std::string& block,
+                               const std::vector<Member>& members, std::size_t size, int atLeast) {
+        int found = 0;
+        for (const Member& member : members) {
+            const std::string name = member.name;
+            const GLint offset = property(program, GL_UNIFORM, name, GL_OFFSET);
+            if (offset >= 0) {
+                ++found;
+                EXPECT_EQ(offset, GLint(member.offset)) << block << ": " << name;
+            }
+        }
+        EXPECT_GE(found, atLeast) << block;
+        EXPECT_EQ(property(program, GL_UNIFORM_BLOCK, block, GL_BUFFER_DATA_SIZE), GLint(size))
+            << block;
+    }
+};
+
+#define MEMBER(STRUCT, NAME)               \
+    Member {                               \
+#NAME, offsetof(gpu::STRUCT, NAME) \
+    }
+
+TEST_F(StructLayout, WhatBeamsRead) {
+    const Program program({"passes/beams_clipped.vert", "passes/beams_clipped.frag"},
+                          {"PHASE_KIND 0"});
+    expectUniforms(program, "ViewBlock",
+                   {{"view.clipFromView", offsetof(gpu::View, clipFromView)},
+                    {"view.halfExtent", offsetof(gpu::View, halfExtent)},
+                    {"view.depthTerms", offsetof(gpu::View, depthTerms)},
+                    {"view.picture", offsetof(gpu::View, picture)},
+                    {"view.haze", offsetof(gpu::View, haze)},
+                    {"view.upAmbient", offsetof(gpu::View, upAmbient)},
+                    {"view.lampCounts", offsetof(gpu::View, lampCounts)}},
+                   sizeof(gpu::View), 7);
+    expectUniforms(program, "SettingsBlock",
+                   {{"settings.planes", offsetof(gpu::BeamSettings, planes)},
+                    {"settings.cells", offsetof(gpu::BeamSettings, cells)}},
+                   sizeof(gpu::BeamSettings), 2);
+    expectBuffer(program, "SpotLamps", "spotLamps",
+                 {MEMBER(SpotLamp, lampFromView), MEMBER(SpotLamp, candela), MEMBER(SpotLamp, cone),
+                  MEMBER(SpotLamp, projection), MEMBER(SpotLamp, shadow), MEMBER(SpotLamp, layers)},
+                 sizeof(gpu::SpotLamp), 6);
+    expectBuffer(program, "Tiles", "tiles", {MEMBER(BeamTile, place)}, sizeof(gpu::BeamTile), 1);
+    EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "tileLamps[0]", GL_ARRAY_STRIDE),
+              GLint(sizeof(int)));
+}
+
+TEST_F(StructLayout, WhatSurfacesRead) {
+    const Program program({"passes/forward.vert", "passes/forward.frag"},
+                          {"TEXTURES", "ALPHA_MASK"});
+    expectBuffer(program, "PointLamps", "pointLamps",
+                 {MEMBER(PointLamp, position), MEMBER(PointLamp, candela)}, sizeof(gpu::PointLamp),
+                 2);
+    expectBuffer(program, "DirectionalLamps", "directionalLamps",
+                 {MEMBER(DirectionalLamp, towardsLamp), MEMBER(DirectionalLamp, lux)},
+                 sizeof(gpu::DirectionalLamp), 2);
+    expectBuffer(
+        program, "Draws", "draws",
+        {MEMBER(Draw, viewFromLocal), MEMBER(Draw, viewFromNormal), MEMBER(Draw, material)},
+        sizeof(gpu::Draw), 3);
+    expectBuffer(program, "Materials", "materials",
+                 {MEMBER(SurfaceMaterial, baseColor),
+                  MEMBER(SurfaceMaterial, emission),
+                  MEMBER(SurfaceMaterial, factors),
+                  MEMBER(SurfaceMaterial, flags),
+                  {"uvRows[0]", offsetof(gpu::SurfaceMaterial, uvRows)}},
+                 sizeof(gpu::SurfaceMaterial), 5);
+    EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "materials[0].uvRows[0]", GL_ARRAY_STRIDE),
+              GLint(sizeof(glm::vec4)));
+    EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "spotLamps[0].lampFromView", GL_MATRIX_STRIDE),
+              GLint(sizeof(glm::vec4)));
+}
+
+TEST_F(StructLayout, BuffersStandInTheirSlots) {
+    const Program beams({"passes/beams_clipped.vert", "passes/beams_clipped.frag"},
+                        {"PHASE_KIND 0"});
+    const Program surfaces({"passes/forward.vert", "passes/forward.frag"});
+    EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "ViewBlock", GL_BUFFER_BINDING), gpu::kViewSlot);
+    EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "SettingsBlock", GL_BUFFER_BINDING),
+              gpu::kBeamSettingsSlot);
+    const auto slot = [&](const Program& program, const char* block) {
+        return property(program, GL_SHADER_STORAGE_BLOCK, block, GL_BUFFER_BINDING);
+    };
+    EXPECT_EQ(slot(beams, "SpotLamps"), gpu::kLampsSlot);
+    EXPECT_EQ(slot(beams, "Tiles"), gpu::kTilesSlot);
+    EXPECT_EQ(slot(beams, "TileLamps"), gpu::kTileLampsSlot);
+    EXPECT_EQ(slot(surfaces, "PointLamps"), gpu::kPointLampsSlot);
+    EXPECT_EQ(slot(surfaces, "DirectionalLamps"), gpu::kDirectionalLampsSlot);
+    EXPECT_EQ(slot(surfaces, "Draws"), gpu::kDrawsSlot);
+    EXPECT_EQ(slot(surfaces, "Materials"), gpu::kMaterialsSlot);
+}
+
+#undef MEMBER
+
+}  // namespace
+}  // namespace ribalta::test
