@@ -152,9 +152,14 @@ void planPlanes(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
     }
     end = end > plan.camera.nearMetres ? end : kEmptySceneDepth;
     end = std::min(end, plan.camera.farMetres);
-    work.firstDepth = plan.camera.nearMetres;
-    work.spacingMetres =
-        work.settings.spacingMetres.value_or((end - work.firstDepth) / work.settings.planes);
+    const double near = plan.camera.nearMetres;
+    work.firstDepth = near;
+    work.spacingMetres = (end - near) / work.settings.planes;
+    if (work.settings.spacingMetres) {
+        work.spacingMetres = *work.settings.spacingMetres;
+        const double length = work.spacingMetres * work.settings.planes;
+        work.firstDepth = std::max(near, 0.5 * (near + end - length));
+    }
 }
 
 void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& outlines,

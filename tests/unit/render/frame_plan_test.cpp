@@ -136,8 +136,13 @@ TEST(FramePlan, PlanesRunFromTheNearPlaneToTheEndOfTheScene) {
     FramePlan plan = stage.plan();
     EXPECT_DOUBLE_EQ(plan.beams->firstDepth, stage.camera.nearMetres);
     EXPECT_NEAR(plan.beams->spacingMetres, (25.0 - stage.camera.nearMetres) / 100.0, 1e-9);
+    // A given spacing puts them around the middle of that range, but none before the near plane.
     stage.settings.beams.spacingMetres = 0.07;
-    EXPECT_DOUBLE_EQ(stage.plan().beams->spacingMetres, 0.07);
+    plan = stage.plan();
+    EXPECT_DOUBLE_EQ(plan.beams->spacingMetres, 0.07);
+    EXPECT_NEAR(plan.beams->firstDepth + 0.5 * 7.0, 0.5 * (stage.camera.nearMetres + 25.0), 1e-9);
+    stage.settings.beams.spacingMetres = 0.5;
+    EXPECT_DOUBLE_EQ(stage.plan().beams->firstDepth, stage.camera.nearMetres);
     stage.settings.beams.spacingMetres.reset();
     stage.camera.farMetres = 10.0;
     EXPECT_NEAR(stage.plan().beams->spacingMetres, (10.0 - stage.camera.nearMetres) / 100.0, 1e-9);
