@@ -1,7 +1,6 @@
 #include "gltf/read_nodes.h"
 
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
@@ -150,8 +149,8 @@ NodeList readNodes(const Import& import, Report& report) {
     // A stack of nodes to visit with their parents; check_nodes made sure that it is a forest.
     std::vector<std::pair<std::size_t, int>> open;
     const std::vector<std::size_t> roots = rootsOf(import, list.sceneName, report);
-    for (const std::size_t root : std::views::reverse(roots)) {
-        open.emplace_back(root, -1);
+    for (std::size_t i = roots.size(); i-- > 0;) {
+        open.emplace_back(roots[i], -1);
     }
     while (!open.empty()) {
         const auto [index, parent] = open.back();
@@ -165,8 +164,8 @@ NodeList readNodes(const Import& import, Report& report) {
         const auto self = int(list.nodes.size());
         list.nodes.push_back(std::move(node));
         list.gltfNodes.push_back(index);
-        for (const int child : std::views::reverse(source.children)) {
-            open.emplace_back(std::size_t(child), self);
+        for (std::size_t i = source.children.size(); i-- > 0;) {
+            open.emplace_back(std::size_t(source.children[i]), self);
         }
     }
     mendWorldTransforms(list, import, report);
