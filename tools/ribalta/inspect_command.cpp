@@ -6,10 +6,14 @@
 #include <memory>
 #include <numbers>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "base/log.h"
+#include "base/error.h"
+#include "base/progress.h"
 #include "gltf/load_gltf.h"
 
 namespace ribalta {
@@ -18,7 +22,7 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string quoted(const std::string& name) {
-    return "'" + name + "'";
+    return "'" + oneLine(name) + "'";
 }
 
 struct MeshTotals {
@@ -47,17 +51,59 @@ MeshTotals totalsOf(const Scene& scene) {
     return totals;
 }
 
-void printGeometry(const Scene& scene) {
+// The largest meshes, or all of them in the file's order.
+void printMeshes(const Scene& scene, bool all) {
+    constexpr std::size_t kShown = 10;
+    std::vector<std::pair<std::size_t, const Mesh*>> meshes;
+    for (const Mesh& mesh : scene.meshes) {
+        meshes.emplace_back(trianglesOf(mesh), &mesh);
+    }
+    const std::size_t shown = all ? meshes.size() : std::min(kShown, meshes.size());
+    if (!all) {
+        std::stable_sort(meshes.begin(), meshes.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+    }
+    for (std::size_t i = 0; i < shown; ++i) {
+        const auto& [triangles, mesh] = meshes[i];
+        std::printf("  %s %zu triangles", quoted(mesh->name).c_str(), triangles);
+        if (mesh->primitives.size() > 1) {
+            std::printf(" in %zu primitives", mesh->primitives.size());
+        }
+        std::printf("\n");
+    }
+    if (shown < meshes.size()) {
+        std::printf("  and %zu smaller ones (--all lists them)\n", meshes.size() - shown);
+    }
+}
+
+void printMaterials(const Scene& scene) {
+    std::printf("materials  %zu\n", scene.materials.size());
+    for (const Material& material : scene.materials) {
+        const int textures =
+            material.baseColorTexture.has_value() + material.metallicRoughnessTexture.has_value() +
+            material.normalTexture.has_value() + material.occlusionTexture.has_value() +
+            material.emissiveTexture.has_value();
+        std::printf("  %s %d textures%s%s%s%s\n", quoted(material.name).c_str(), textures,
+                    material.alphaMode == Material::AlphaMode::kMask    ? ", masked"
+                    : material.alphaMode == Material::AlphaMode::kBlend ? ", blended"
+                                                                        : "",
+                    material.doubleSided ? ", double-sided" : "", material.unlit ? ", unlit" : "",
+                    material.emission == glm::vec3(0.0F) ? "" : ", shines");
+    }
+}
+
+void printGeometry(const Scene& scene, bool allMeshes) {
     const MeshTotals totals = totalsOf(scene);
     std::printf("nodes      %zu\n", scene.nodes.size());
     std::printf("meshes     %zu, %zu primitives\n", scene.meshes.size(), totals.primitives);
+    printMeshes(scene, allMeshes);
     std::printf("triangles  %zu, %zu as placed\n", totals.triangles, totals.drawn);
     const Bounds bounds = sceneBounds(scene);
     if (!bounds.isEmpty()) {
         std::printf("extent     %.3g x %.3g x %.3g m\n", bounds.high.x - bounds.low.x,
                     bounds.high.y - bounds.low.y, bounds.high.z - bounds.low.z);
     }
-    std::printf("materials  %zu\n", scene.materials.size());
+    printMaterials(scene);
     std::printf("images     %zu\n", scene.images.size());
     for (const Image& image : scene.images) {
         std::printf("  %s %dx%d%s\n", quoted(image.name).c_str(), image.width, image.height,
@@ -128,21 +174,27 @@ void printExtensions(const LoadedScene& loaded) {
                                         loaded.extensionsIgnored.end());
     std::printf("extensions %zu used, %zu ignored\n", loaded.extensionsUsed.size(), ignored.size());
     for (const std::string& extension : loaded.extensionsUsed) {
-        std::printf("  %s%s\n", extension.c_str(), ignored.contains(extension) ? " (ignored)" : "");
+        std::printf("  %s%s\n", oneLine(extension).c_str(),
+                    ignored.contains(extension) ? " (ignored)" : "");
     }
 }
 
-void inspect(const std::string& path) {
-    const LoadedScene loaded = loadGltf(path);
+LoadedScene load(const std::string& path) {
+    const Progress progress("loading");
+    return loadGltf(path);
+}
+
+void inspect(const std::string& path, bool allMeshes) {
+    const LoadedScene loaded = load(path);
     std::printf("%s\n", path.c_str());
-    printGeometry(loaded.scene);
+    printGeometry(loaded.scene, allMeshes);
     printLamps(loaded.scene);
     printCameras(loaded.scene);
     printExtensions(loaded);
     std::printf("report     %zu lines\n", loaded.report.entries().size());
     for (const Report::Entry& entry : loaded.report.entries()) {
-        std::printf("  %s: %s: %s\n", name(entry.kind), entry.place.pointer.c_str(),
-                    entry.message.c_str());
+        std::printf("  %s: %s: %s\n", name(entry.kind), oneLine(entry.place.pointer).c_str(),
+                    oneLine(entry.message).c_str());
     }
     for (const LoadedScene::Stage& stage : loaded.stages) {
         std::printf("load       %-10s %9.2f ms\n", stage.name.c_str(), stage.ms);
@@ -155,8 +207,10 @@ void addInspectCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "inspect", "Says what a scene file holds, and what was ignored or repaired.");
     const auto path = std::make_shared<std::string>();
-    command->add_option("scene", *path, "glTF scene (.gltf or .glb)")->required();
-    command->callback([path] { inspect(*path); });
+    command->add_option("scene", *path, "glTF scene, .gltf or .glb")->type_name("FILE")->required();
+    const auto all = std::make_shared<bool>(false);
+    command->add_flag("--all", *all, "list every mesh, not only the largest ten");
+    command->callback([path, all] { inspect(*path, *all); });
 }
 
 }  // namespace ribalta

@@ -1,0 +1,138 @@
+"""Scenes that are large, odd or incomplete, end to end; and what `inspect` says of a scene."""
+
+import unittest
+
+from command import (DONE, SCENES, CommandTest, add_node, add_texture, make_floor, make_png,
+                     read_png)
+
+
+class Scenes(CommandTest):
+    def draw(self, scene, *arguments, name="floor.gltf"):
+        """Draws the scene to 64x36 pixels; returns the picture's rows and stderr."""
+        self.write_scene(name, scene)
+        result = self.expect_done("render", name, "--size", "64x36", "-o", "a.png", *arguments)
+        return read_png(self.folder / "a.png")[2], result.stderr
+
+    def test_no_camera_makes_one_and_says_so(self):
+        rows, text = self.draw(make_floor(camera=False))
+        self.assertIn("no camera", text)
+        # It frames the scene: the floor is in the middle of the picture.
+        self.assertGreater(max(rows[18][3 * 28 : 3 * 36]), 0)
+
+    def test_no_lamps_says_so(self):
+        rows, text = self.draw(make_floor(spot=False))
+        self.assertIn("no lamps", text)
+        self.assertGreater(max(max(row) for row in rows), 0)
+
+    def test_nothing_at_all(self):
+        _, text = self.draw({"asset": {"version": "2.0"}})
+        self.assertIn("no lamps", text)
+        self.assertIn("no camera", text)
+
+    def test_a_normal_scene_says_nothing(self):
+        self.assertEqual(self.draw(make_floor())[1], "")
+
+    def test_other_units(self):
+        # The same scene ten times smaller and a hundred times larger, haze and lamps alike: one
+        # picture, but for rounding, half a code value of dither, shadow edges and the first 5 cm of
+        # the beam, which lie within the lamp.
+        pictures = {}
+        for scale in [1.0, 0.1, 100.0]:
+            haze = f"--haze={0.05 / scale}"
+            pictures[scale], _ = self.draw(make_floor(scale=scale), haze, "--ambient=0")
+        for scale in [0.1, 100.0]:
+            far_off = sum(abs(a - b) > 3 for one, other in zip(pictures[1.0], pictures[scale])
+                          for a, b in zip(one, other))
+            self.assertLess(far_off, 0.01 * 3 * 64 * 36, scale)
+
+    def test_a_scene_of_centimetres_is_drawn(self):
+        # All of it within 5 cm of the lamp, so without beams; ambient light is left.
+        rows, _ = self.draw(make_floor(scale=0.01))
+        self.assertGreater(max(max(row) for row in rows), 0)
+
+    def test_missing_image_is_drawn_visibly_and_reported(self):
+        scene = add_texture(make_floor(spot=False), "gone.png")
+        rows, text = self.draw(scene, "--ambient=0")
+        self.assertIn("/images/0", text)
+        self.assertIn("gone.png", text)
+        # Magenta somewhere: red and blue without green.
+        self.assertTrue(any(row[i] > 60 and row[i + 2] > 60 and row[i + 1] < row[i] // 2
+                            for row in rows for i in range(0, len(row), 3)))
+
+    def test_broken_image_is_drawn_and_reported(self):
+        self.write("cut.png", make_png(64, 64)[:80])
+        _, text = self.draw(add_texture(make_floor(), "cut.png"))
+        self.assertIn("/images/0", text)
+
+    def test_image_outside_the_folder_is_not_read(self):
+        result = self.run_command("render", self.write_scene("floor.gltf", add_texture(
+            make_floor(), "../../etc/passwd.png")), "--size", "8x8", "-o", "a.png")
+        self.assertIn("/images/0", result.stderr)
+
+    def test_16000_pixels_wide_texture(self):
+        # Its thin side keeps the test quick; the width is what renderers and loaders trip over.
+        self.write("wide.png", make_png(16000, 16))
+        rows, text = self.draw(add_texture(make_floor(spot=False), "wide.png"), "--ambient=0")
+        self.assertEqual(text.count("warning"), 1, text)  # that there are no lamps
+        self.assertGreater(max(max(row) for row in rows), 0)
+
+    def test_100000_nodes(self):
+        scene = make_floor()
+        first = len(scene["nodes"])
+        scene["nodes"] += [{"mesh": 0, "translation": [5 * (i % 316), -1, -5 * (i // 316)]}
+                           for i in range(100000)]
+        scene["scenes"][0]["nodes"] += list(range(first, first + 100000))
+        self.draw(scene)
+
+    def test_100000_nodes_deep(self):
+        scene = make_floor()
+        first = len(scene["nodes"])
+        scene["nodes"] += [{"children": [first + i + 1]} for i in range(99999)] + [{"mesh": 0}]
+        scene["scenes"][0]["nodes"].append(first)
+        result = self.run_command("inspect", self.write_scene("deep.gltf", scene))
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.assertIn("100003", result.stdout)
+
+
+class Inspect(CommandTest):
+    def test_stage(self):
+        text = self.expect_done("inspect", SCENES / "stage.glb").stdout
+        for word in ["meshes     182", "triangles  233056", "materials  9", "images     4",
+                     "'gobo_window.png' 512x512", "spots      12", "cameras    2",
+                     "0 'front_of_house' perspective", "KHR_draco_mesh_compression",
+                     "report     0"]:
+            self.assertIn(word, text)
+        self.assertRegex(text, r"'spot_0' 489163 cd.*half angle 9\.0 deg.*light map "
+                               r"'gobo_window\.png'\n")
+
+    def test_all_meshes(self):
+        some = self.expect_done("inspect", SCENES / "stage.glb").stdout
+        every = self.expect_done("inspect", SCENES / "stage.glb", "--all").stdout
+        self.assertIn("and 172 smaller ones", some)
+        self.assertEqual(len(every.splitlines()) - len(some.splitlines()), 171)
+
+    def test_tells_what_is_ignored_with_its_place(self):
+        scene = make_floor()
+        scene["extensionsUsed"].append("KHR_materials_clearcoat")
+        scene["materials"] = [{"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 1}}}]
+        scene["meshes"][0]["primitives"][0]["material"] = 0
+        text = self.expect_done("inspect", self.write_scene("coat.gltf", scene)).stdout
+        self.assertIn("KHR_materials_clearcoat (ignored)", text)
+        self.assertRegex(text, r"ignored: /materials/0")
+
+    def test_names_stay_on_their_lines(self):
+        scene = make_floor()
+        scene["nodes"][2]["name"] = "a\nb\x1b[2J"
+        text = self.expect_done("inspect", self.write_scene("odd.gltf", scene)).stdout
+        self.assertNotIn("\x1b", text)
+        self.assertIn("a b", text)
+
+    def test_no_lamps_no_camera(self):
+        scene = make_floor(camera=False, spot=False)
+        text = self.expect_done("inspect", self.write_scene("bare.gltf", scene)).stdout
+        self.assertIn("no lamps", text)
+        self.assertIn("one that frames the scene will be made", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
