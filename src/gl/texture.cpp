@@ -22,7 +22,7 @@ std::size_t bytesPerTexel(GLenum format) {
         case GL_R32F:
             return 4;
         default:
-            CHECK(!"a texture format without a known size");
+            CHECK(false && "a texture format without a known size");
             return 0;
     }
 }
