@@ -264,9 +264,15 @@ TEST_F(SurfaceLight, BlendedSurfacesLetThroughWhatIsBehind) {
     glass.alphaMode = Material::AlphaMode::kBlend;
     glass.baseColor = {1.0F, 0.0F, 0.0F, 0.25F};
     addShape(scene_, makeQuad({0, 0.1F, 0}, {6, 0, 0}, {0, 0, -6}), glass);
-    const glm::dvec3 drawn = drawOnce(scene_, camera_, settings_).color(32, 24);
+    FrameLayers layers;
+    layers.depth = true;
+    const Frame3 frame = drawOnce(scene_, camera_, settings_, layers);
+    const glm::dvec3 drawn = frame.color(32, 24);
     EXPECT_NEAR(drawn.x, 0.25 + 0.75 * 0.2, 1e-5);
     EXPECT_NEAR(drawn.y, 0.75 * 0.2, 1e-5);
+    // What is seen through ends neither depth nor beams.
+    scene_.nodes.pop_back();
+    EXPECT_EQ(frame.depth(32, 24), drawOnce(scene_, camera_, settings_, layers).depth(32, 24));
 }
 
 }  // namespace
