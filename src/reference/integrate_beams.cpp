@@ -19,21 +19,11 @@ namespace {
 constexpr double kEndlessMetres = 1e9;
 constexpr double kNoFarPlane = 1e30;
 
-int phaseKind(PhaseFunction::Kind kind) {
-    switch (kind) {
-        case PhaseFunction::Kind::kGibbons:
-            return shader::kPhaseGibbons;
-        case PhaseFunction::Kind::kIsotropic:
-            return shader::kPhaseIsotropic;
-        case PhaseFunction::Kind::kHenyeyGreenstein:
-            return shader::kPhaseHenyeyGreenstein;
-        case PhaseFunction::Kind::kCornetteShanks:
-            return shader::kPhaseCornetteShanks;
-        case PhaseFunction::Kind::kRayleigh:
-            return shader::kPhaseRayleigh;
-    }
-    checkFailed("a known PhaseFunction::Kind", __FILE__, __LINE__);
-}
+static_assert(int(PhaseFunction::Kind::kGibbons) == shader::kPhaseGibbons &&
+              int(PhaseFunction::Kind::kIsotropic) == shader::kPhaseIsotropic &&
+              int(PhaseFunction::Kind::kHenyeyGreenstein) == shader::kPhaseHenyeyGreenstein &&
+              int(PhaseFunction::Kind::kCornetteShanks) == shader::kPhaseCornetteShanks &&
+              int(PhaseFunction::Kind::kRayleigh) == shader::kPhaseRayleigh);
 
 /// The part of a ray (unit direction, seen from the lamp) that is within `range` of the lamp.
 std::optional<Interval> clipToSphere(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -192,7 +182,7 @@ glm::dvec3 BeamIntegrator::Segment::integrand(double x, const Haze& haze) const 
     const double t = distanceAt(x);
     const glm::dvec3 point = origin + t * direction;
     const double r = glm::length(point);
-    const double phase = shader::phaseFunction(phaseKind(haze.phase.kind),
+    const double phase = shader::phaseFunction(static_cast<int>(haze.phase.kind),
                                                shader::scatteringCosine(point, direction),
                                                haze.phase.g, haze.phase.k);
     return lamp.intensity(point, r) * (shader::scatteredIntensity(phase, haze.scatteringPerMetre,

@@ -10,9 +10,6 @@
 
 namespace ribalta {
 
-/// The phase function's number in lib/phase_function.glsl.
-int shaderPhase(PhaseFunction::Kind kind);
-
 /// The defines of a beam program for this work.
 std::vector<std::string> beamDefines(const BeamsWork& work);
 

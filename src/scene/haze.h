@@ -5,6 +5,7 @@ namespace ribalta {
 
 /// How haze turns light. cosAngle = 1 is straight on.
 struct PhaseFunction {
+    /// Numbered as in shaders/lib/phase_function.glsl.
     enum class Kind { kGibbons, kIsotropic, kHenyeyGreenstein, kCornetteShanks, kRayleigh };
 
     Kind kind = Kind::kGibbons;

@@ -22,7 +22,7 @@ ClippedBeamsPass::ClippedBeamsPass() {
 
 void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
                             const Texture2D& shadowMaps, const FrameTargets& targets) {
-    Program& program = programs_[{shaderPhase(work.phase), work.separateOutput}];
+    Program& program = programs_[{work.phase, work.separateOutput}];
     if (!program) {
         program =
             Program({"passes/beams_clipped.vert", "passes/beams_clipped.frag"}, beamDefines(work));

@@ -20,7 +20,8 @@ class ClippedBeamsPass {
               const FrameTargets& targets);
 
   private:
-    std::map<std::pair<int, bool>, Program> programs_;  ///< by phase function and separate output
+    std::map<std::pair<PhaseFunction::Kind, bool>, Program>
+        programs_;  ///< by phase function and separate output
     Handle<deleteVertexArray> vertexArray_;
     Handle<deleteSampler> depthSampler_;  ///< reads shadow maps as depths, without comparing
     Buffer settings_;

@@ -24,7 +24,7 @@ PlaneBeamsPass::PlaneBeamsPass() {
 void PlaneBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
                           const Texture2D& shadowMaps, const FrameTargets& targets) {
     const bool cells = work.settings.cellsAcross > 0;
-    Program& program = programs_[{shaderPhase(work.phase), work.separateOutput, cells}];
+    Program& program = programs_[{work.phase, work.separateOutput, cells}];
     if (!program) {
         std::vector<std::string> defines = beamDefines(work);
         if (cells) {

@@ -22,7 +22,7 @@ class PlaneBeamsPass {
 
   private:
     /// By phase function, separate output and whether the smooth factor is evaluated on cells.
-    std::map<std::tuple<int, bool, bool>, Program> programs_;
+    std::map<std::tuple<PhaseFunction::Kind, bool, bool>, Program> programs_;
     Handle<deleteVertexArray> vertexArray_;
     Buffer settings_;
 };
