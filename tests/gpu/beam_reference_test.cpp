@@ -95,6 +95,25 @@ TEST_F(BeamReference, BeamsThatTheFloorEnds) {
     expectViewsAgree(scene, hazySettings(), kPromised);
 }
 
+TEST_F(BeamReference, AFarPlaneEndsBeamsToo) {
+    Scene scene;
+    scene.spotLights.push_back(downLamp());
+    const FrameSettings settings = hazySettings();
+    for (const bool floor : {false, true}) {
+        if (floor) {
+            addFloor(scene);
+        }
+        for (View view : views()) {
+            // Through the middle of the beam from the side, and before the floor from above.
+            view.camera.farMetres = view.name == std::string("side") ? 9.05 : 6.5;
+            const Picture expected =
+                referenceBeams(scene, view.camera, settings, floor ? floorEnd : openEnd);
+            EXPECT_LT(relativeRmse(drawnBeams(scene, view.camera, settings), expected), kPromised)
+                << view.name << ", floor " << floor;
+        }
+    }
+}
+
 TEST_F(BeamReference, AbsorptionAndRange) {
     Scene scene;
     scene.spotLights.push_back(downLamp());
