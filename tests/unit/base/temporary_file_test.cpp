@@ -69,6 +69,22 @@ TEST(TemporaryFile, RefusesTargetsThatAreNoFiles) {
     EXPECT_EQ(folder.entryCount(), 1U);
 }
 
+TEST(TemporaryFile, AllUnfinishedOnesCanBeRemovedAtOnce) {
+    const TestFolder folder;
+    folder.write("a.png", "old");
+    const TemporaryFile one(folder / "a.png");
+    {
+        TemporaryFile finished(folder / "b.png");
+        finished.commit();
+    }
+    const TemporaryFile two(folder / "c.png");
+    ASSERT_EQ(folder.entryCount(), 4U);
+    removeTemporaryFiles();
+    EXPECT_EQ(folder.entryCount(), 2U);
+    EXPECT_EQ(contentOf(folder / "a.png"), "old");
+    EXPECT_TRUE(std::filesystem::exists(folder / "b.png"));
+}
+
 TEST(TemporaryFile, FollowsLinks) {
     const TestFolder folder;
     folder.write("real.png", "old");
