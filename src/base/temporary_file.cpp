@@ -21,6 +21,28 @@ namespace {
     throw Error(ErrorKind::kJobFailed, {target.string(), ""}, "cannot be written: " + why);
 }
 
+// What the system says, and what can be done about it.
+std::string reasonAndCure(int error) {
+    const auto cure = [error] {
+        switch (error) {
+            case ENOENT:
+                return "; make the folder first";
+            case ENOSPC:
+            case EDQUOT:
+                return "; make room, or choose another disk";
+            case EFBIG:
+                return "; raise the limit of a file's size (ulimit -f)";
+            case EACCES:
+            case EPERM:
+            case EROFS:
+                return "; choose a folder that you may write to";
+            default:
+                return "; choose another place";
+        }
+    };
+    return std::strerror(error) + std::string(cure());
+}
+
 // The names that a signal handler must remove; null where a slot is free.
 std::array<std::atomic<const char*>, 16> unfinished{};
 
@@ -63,8 +85,7 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(targ
     name += ".XXXXXX" + extension;
     const int file = mkstemps(name.data(), static_cast<int>(extension.size()));
     if (file < 0) {
-        const std::string why = std::strerror(errno);
-        failed(target, why + (errno == ENOENT ? "; make the folder first" : ""));
+        failed(target, reasonAndCure(errno));
     }
     path_ = name;
     remember(path_.c_str());
@@ -86,19 +107,19 @@ TemporaryFile::~TemporaryFile() {
 void TemporaryFile::commit() {
     const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) {
-        failed(target_, std::strerror(errno));
+        failed(target_, reasonAndCure(errno));
     }
     // A full disk may show only now.
     const int synced = fsync(file);
     const int why = errno;
     close(file);
     if (synced != 0 && why != EINVAL && why != EROFS) {
-        failed(target_, std::strerror(why));
+        failed(target_, reasonAndCure(why));
     }
     std::error_code error;
     std::filesystem::rename(path_, target_, error);
     if (error) {
-        failed(target_, error.message());
+        failed(target_, reasonAndCure(error.value()));
     }
     committed_ = true;
 }
@@ -109,7 +130,7 @@ void writeFileAtomically(const std::filesystem::path& target, std::string_view c
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
     stream.close();
     if (!stream) {
-        failed(target, std::strerror(errno));
+        failed(target, reasonAndCure(errno));
     }
     temporary.commit();
 }
