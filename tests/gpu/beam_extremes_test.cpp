@@ -83,8 +83,8 @@ TEST_F(BeamExtremes, TenKilometresFromTheOriginNothingChanges) {
     // singles would be off by half a millimetre.
     int off = 0;
     for (std::size_t i = 0; i < here.image.values.size(); ++i) {
-        const double a = double(here.image.values[i]);
-        const double b = double(there.image.values[i]);
+        const auto a = double(here.image.values[i]);
+        const auto b = double(there.image.values[i]);
         off += std::isfinite(a) && std::abs(a - b) > 2e-5 * (std::abs(a) + 1e-2) ? 1 : 0;
         EXPECT_EQ(std::isfinite(a), std::isfinite(b));
     }

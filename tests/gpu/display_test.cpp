@@ -30,12 +30,13 @@ class Display : public GpuTest {
         linear_ = readBack(renderer).image;
     }
     int at(int x, int y, int channel) const {
-        return pixels_.at(std::size_t((y * settings_.width + x) * 3 + channel));
+        return pixels_.at((std::size_t(y) * std::size_t(settings_.width) + std::size_t(x)) * 3 +
+                          std::size_t(channel));
     }
     /// Mean code value of a channel.
     double mean(int channel = 0) const {
         double sum = 0.0;
-        for (std::size_t i = std::size_t(channel); i < pixels_.size(); i += 3) {
+        for (auto i = std::size_t(channel); i < pixels_.size(); i += 3) {
             sum += pixels_[i];
         }
         return sum * 3.0 / double(pixels_.size());

@@ -71,15 +71,17 @@ class ShaderFunctions : public GpuTest {
                               values.begin() + std::ptrdiff_t(i + 1) * inputs);
             const Doubles right = exact(one);
             for (int o = 0; o < outputs; ++o) {
-                const double off =
-                    std::abs(double(results[std::size_t(i * outputs + o)]) - right[std::size_t(o)]);
+                const double off = std::abs(
+                    double(results[std::size_t(i) * std::size_t(outputs) + std::size_t(o)]) -
+                    right[std::size_t(o)]);
                 const double share =
                     off / (bound.absolute + bound.relative * std::abs(right[std::size_t(o)]));
                 // NaN must count as off.
                 if (!(share <= worst)) {
                     worst = std::isnan(share) ? INFINITY : share;
                     std::ostringstream text;
-                    text << "output " << o << ": " << results[std::size_t(i * outputs + o)]
+                    text << "output " << o << ": "
+                         << results[std::size_t(i) * std::size_t(outputs) + std::size_t(o)]
                          << " for " << right[std::size_t(o)] << " at";
                     for (const double value : one) {
                         text << ' ' << value;
@@ -136,7 +138,7 @@ TEST_F(ShaderFunctions, SpotLight) {
     compare(
         "vec2 uv = lightMapUv(vec2(a(0), a(1)), a(2), a(3), a(4)); put(0, uv.x); put(1, uv.y);", 2,
         [](Random& r) {
-            const double angle = double(r.between(0.0, 2.0 * std::numbers::pi));
+            const auto angle = double(r.between(0.0, 2.0 * std::numbers::pi));
             const double tangent = std::tan(double(r.between(0.01, 1.4)));
             return Inputs{r.between(-tangent, tangent), r.between(-tangent, tangent),
                           float(1.0 / tangent), float(std::cos(angle)), float(std::sin(angle))};
@@ -187,7 +189,7 @@ TEST_F(ShaderFunctions, Haze) {
 /// Origin, direction, half angle's terms, lens, far, t0, t1: a ray from up to 20 m away that looks
 /// at a random point near the beam.
 Inputs drawRay(Random& r, double smallest, double largest) {
-    const double angle = double(r.magnitude(smallest, largest));
+    const auto angle = double(r.magnitude(smallest, largest));
     const float depth = r.magnitude(0.1, 20.0);
     const double side = std::tan(angle) * double(depth);
     const float x = r.between(-1.2 * side, 1.2 * side);
@@ -348,10 +350,10 @@ TEST_F(ShaderFunctions, ViewRaysAndDepth) {
     compare(
         "put(0, viewDistance(a(0), vec4(a(1), a(2), a(3), a(4)), a(5)));", 1,
         [](Random& r) {
-            const double n = double(r.magnitude(0.01, 1.0));
-            const double f = double(r.magnitude(10.0, 1000.0));
-            const double z = double(r.between(n, f));
-            const double kind = double(r.between(0, 3));
+            const auto n = double(r.magnitude(0.01, 1.0));
+            const auto f = double(r.magnitude(10.0, 1000.0));
+            const auto z = double(r.between(n, f));
+            const auto kind = double(r.between(0, 3));
             if (kind < 1.0) {
                 return Inputs{
                     float((f - z) / (f - n)), float(f), float(n - f), float(n), float(f), 1.0F};

@@ -1,6 +1,7 @@
 // Tiles: every pixel that a beam may light finds the beam's lamp in the list of its tile.
 #include "render/beam_tiles.h"
 
+#include <array>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -38,7 +39,9 @@ class TileLists {
         }
     }
 
-    std::set<int>& list(int x, int y) { return lists_[std::size_t(y * across_ + x)]; }
+    std::set<int>& list(int x, int y) {
+        return lists_[std::size_t(y) * std::size_t(across_) + std::size_t(x)];
+    }
     bool holds(const glm::dvec2& pixel, int lamp) {
         return list(int(pixel.x) / gpu::kTileSide, int(pixel.y) / gpu::kTileSide).count(lamp) > 0;
     }
@@ -54,12 +57,10 @@ TEST(BeamTiles, EveryPointOfABeamFindsItsLamp) {
     for (int i = 0; i < 1500; ++i) {
         const int width = int(random.between(1.0, 200.0));
         const int height = int(random.between(1.0, 200.0));
-        std::vector<SpotLight> lamps;
-        for (int l = 0; l < 3; ++l) {
-            lamps.push_back(random.lamp());
-        }
+        const std::array<SpotLight, 3> lamps = {random.lamp(), random.lamp(), random.lamp()};
         const Camera camera = random.camera(lamps[0]);
         std::vector<std::vector<glm::dvec2>> outlines;
+        outlines.reserve(lamps.size());
         for (const SpotLight& lamp : lamps) {
             outlines.push_back(beamOutline(lamp, camera, width, height));
         }
