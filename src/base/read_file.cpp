@@ -43,7 +43,8 @@ std::vector<std::byte> readFile(const std::filesystem::path& path, std::uint64_t
     if (!stream ||
         !stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size))) {
         throw Error(ErrorKind::kBadInput, place,
-                    std::string("cannot be read: ") + std::strerror(errno));
+                    std::string("cannot be read: ") + std::strerror(errno) +
+                        "; check its permissions and its disk");
     }
     return bytes;
 }
