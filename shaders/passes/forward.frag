@@ -15,14 +15,14 @@ layout(std430, binding = kPointLampsSlot) readonly buffer PointLamps { PointLamp
 layout(std430, binding = kDirectionalLampsSlot) readonly buffer DirectionalLamps {
     DirectionalLamp directionalLamps[];
 };
-layout(std430, binding = kMaterialsSlot) readonly buffer Materials { SurfaceMaterial materials[]; };
+layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
+layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
 layout(binding = kShadowMapsUnit) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
 
 in vec3 viewPosition;
 in vec3 viewNormal;
 in vec4 vertexColor;
-flat in ivec4 surfaceIndices;
 #ifdef TEXTURES
 layout(binding = kMaterialTexturesUnit) uniform sampler2D materialTextures[kMaterialTextures];
 in vec4 viewTangent;
@@ -48,7 +48,7 @@ struct Surface {
 };
 
 #ifdef TEXTURES
-vec4 sampleTexture(SurfaceMaterial material, int index) {
+vec4 sampleTexture(int index) {
     vec3 uv = vec3((material.flags.z & (1 << index)) != 0 ? secondUv : firstUv, 1.0);
     vec2 place = vec2(dot(material.uvRows[2 * index].xyz, uv),
                       dot(material.uvRows[2 * index + 1].xyz, uv));
@@ -68,10 +68,10 @@ vec4 sampleTexture(SurfaceMaterial material, int index) {
     return texture(materialTextures[4], place);
 }
 
-bool has(SurfaceMaterial material, int index) { return (material.flags.y & (1 << index)) != 0; }
+bool has(int index) { return (material.flags.y & (1 << index)) != 0; }
 #endif
 
-Surface readSurface(SurfaceMaterial material) {
+Surface readSurface() {
     Surface surface;
     surface.baseColor = material.baseColor.rgb * vertexColor.rgb;
     surface.alpha = material.baseColor.a * vertexColor.a;
@@ -87,30 +87,30 @@ Surface readSurface(SurfaceMaterial material) {
     geometric = size > 0.0 ? geometric / size : surface.towardsEye;
     surface.geometric = dot(geometric, surface.towardsEye) < 0.0 ? -geometric : geometric;
     surface.normal = surface.geometric;
-    if (surfaceIndices.y != 0 && dot(viewNormal, viewNormal) > 0.0) {
+    if (draw.flags.x != 0 && dot(viewNormal, viewNormal) > 0.0) {
         vec3 normal = normalize(viewNormal);
         surface.normal = gl_FrontFacing ? normal : -normal;
     }
 #ifdef TEXTURES
-    if (has(material, kBaseColorTexture)) {
-        vec4 texel = sampleTexture(material, kBaseColorTexture);
+    if (has(kBaseColorTexture)) {
+        vec4 texel = sampleTexture(kBaseColorTexture);
         surface.baseColor *= texel.rgb;
         surface.alpha *= texel.a;
     }
-    if (has(material, kMetallicRoughnessTexture)) {
-        vec4 texel = sampleTexture(material, kMetallicRoughnessTexture);
+    if (has(kMetallicRoughnessTexture)) {
+        vec4 texel = sampleTexture(kMetallicRoughnessTexture);
         surface.metallic *= texel.b;
         surface.roughness *= texel.g;
     }
-    if (has(material, kOcclusionTexture)) {
-        float occlusion = sampleTexture(material, kOcclusionTexture).r;
+    if (has(kOcclusionTexture)) {
+        float occlusion = sampleTexture(kOcclusionTexture).r;
         surface.occlusion = 1.0 + material.factors.w * (occlusion - 1.0);
     }
-    if (has(material, kEmissiveTexture)) {
-        surface.emission *= sampleTexture(material, kEmissiveTexture).rgb;
+    if (has(kEmissiveTexture)) {
+        surface.emission *= sampleTexture(kEmissiveTexture).rgb;
     }
-    if (has(material, kNormalTexture)) {
-        vec3 bump = 2.0 * sampleTexture(material, kNormalTexture).rgb - 1.0;
+    if (has(kNormalTexture)) {
+        vec3 bump = 2.0 * sampleTexture(kNormalTexture).rgb - 1.0;
         bump.xy *= material.factors.z;
         vec3 tangent = viewTangent.xyz - surface.normal * dot(surface.normal, viewTangent.xyz);
         if (dot(tangent, tangent) > 1.0e-12 && dot(bump, bump) > 0.0) {
@@ -245,10 +245,9 @@ vec3 ambientLight(Surface surface) {
 }
 
 void main() {
-    SurfaceMaterial material = materials[surfaceIndices.x];
     vec3 positionDx = dFdx(viewPosition);
     vec3 positionDy = dFdy(viewPosition);
-    Surface surface = readSurface(material);
+    Surface surface = readSurface();
 #ifdef ALPHA_MASK
     if (surface.alpha < material.emission.w) {
         discard;

@@ -9,15 +9,13 @@ layout(location = kTangentAttribute) in vec4 tangent;
 layout(location = kUv0Attribute) in vec2 uv0;
 layout(location = kUv1Attribute) in vec2 uv1;
 layout(location = kColorAttribute) in vec4 color;
-layout(location = kDrawAttribute) in uint draw;
 
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
-layout(std430, binding = kDrawsSlot) readonly buffer Draws { Draw draws[]; };
+layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
 
 out vec3 viewPosition;
 out vec3 viewNormal;
 out vec4 vertexColor;
-flat out ivec4 surfaceIndices;
 #ifdef TEXTURES
 out vec4 viewTangent;
 out vec2 firstUv;
@@ -25,13 +23,12 @@ out vec2 secondUv;
 #endif
 
 void main() {
-    vec4 place = draws[draw].viewFromLocal * vec4(position, 1.0);
+    vec4 place = draw.viewFromLocal * vec4(position, 1.0);
     viewPosition = place.xyz;
-    viewNormal = mat3(draws[draw].viewFromNormal) * normal;
+    viewNormal = mat3(draw.viewFromNormal) * normal;
     vertexColor = color;
-    surfaceIndices = draws[draw].material;
 #ifdef TEXTURES
-    viewTangent = vec4(mat3(draws[draw].viewFromLocal) * tangent.xyz, tangent.w);
+    viewTangent = vec4(mat3(draw.viewFromLocal) * tangent.xyz, tangent.w);
     firstUv = uv0;
     secondUv = uv1;
 #endif

@@ -3,8 +3,7 @@
 
 #ifdef ALPHA_MASK
 #include "shared/surface.h"
-layout(std430, binding = kMaterialsSlot) readonly buffer Materials { SurfaceMaterial materials[]; };
-layout(location = 1) uniform int material;
+layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
 layout(binding = kMaterialTexturesUnit) uniform sampler2D baseColorTexture;
 in vec2 maskUv;
 in float vertexAlpha;
@@ -12,12 +11,11 @@ in float vertexAlpha;
 
 void main() {
 #ifdef ALPHA_MASK
-    SurfaceMaterial surface = materials[material];
-    float alpha = surface.baseColor.a * vertexAlpha;
-    if ((surface.flags.y & 1) != 0) {
+    float alpha = material.baseColor.a * vertexAlpha;
+    if ((material.flags.y & 1) != 0) {
         alpha *= texture(baseColorTexture, maskUv).a;
     }
-    if (alpha < surface.emission.w) {
+    if (alpha < material.emission.w) {
         discard;
     }
 #endif

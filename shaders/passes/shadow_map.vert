@@ -9,8 +9,7 @@ layout(location = 0) uniform mat4 clipFromLocal;
 layout(location = kUv0Attribute) in vec2 uv0;
 layout(location = kUv1Attribute) in vec2 uv1;
 layout(location = kColorAttribute) in vec4 color;
-layout(std430, binding = kMaterialsSlot) readonly buffer Materials { SurfaceMaterial materials[]; };
-layout(location = 1) uniform int material;
+layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
 out vec2 maskUv;
 out float vertexAlpha;
 #endif
@@ -18,9 +17,8 @@ out float vertexAlpha;
 void main() {
     gl_Position = clipFromLocal * vec4(position, 1.0);
 #ifdef ALPHA_MASK
-    SurfaceMaterial surface = materials[material];
-    vec3 uv = vec3((surface.flags.z & 1) != 0 ? uv1 : uv0, 1.0);
-    maskUv = vec2(dot(surface.uvRows[0].xyz, uv), dot(surface.uvRows[1].xyz, uv));
+    vec3 uv = vec3((material.flags.z & 1) != 0 ? uv1 : uv0, 1.0);
+    maskUv = vec2(dot(material.uvRows[0].xyz, uv), dot(material.uvRows[1].xyz, uv));
     vertexAlpha = color.a;
 #endif
 }

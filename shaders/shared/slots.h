@@ -6,12 +6,12 @@ SHARED_BEGIN
 // Uniform buffers.
 const int kViewSlot = 0;
 const int kBeamSettingsSlot = 1;
+const int kDrawSlot = 2;      // a window onto the draw at hand
+const int kMaterialSlot = 3;  // a window onto its material
 // Shader storage.
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
 const int kDirectionalLampsSlot = 2;
-const int kDrawsSlot = 3;
-const int kMaterialsSlot = 4;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
@@ -28,6 +28,5 @@ const int kTangentAttribute = 2;
 const int kUv0Attribute = 3;
 const int kUv1Attribute = 4;
 const int kColorAttribute = 5;
-const int kDrawAttribute = 6;  // index into the draws, one an instance
 
 SHARED_END

@@ -6,8 +6,7 @@ SHARED_BEGIN
 struct Draw {
     mat4 viewFromLocal;
     mat4 viewFromNormal;  // inverse transpose of the upper 3x3
-    ivec4 material;       // x: index of the material; y: 1 where normals are given, 0 where unlit by
-                          // geometry (points and lines)
+    ivec4 flags;          // x: 1 where normals are given, 0 where the surface's own are used
 };
 
 const int kBaseColorTexture = 0;

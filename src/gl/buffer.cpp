@@ -43,6 +43,11 @@ void Buffer::write(const std::string& label, std::span<const std::byte> bytes) {
     glObjectLabel(GL_BUFFER, name, GLsizei(label.size()), label.c_str());
 }
 
+void Buffer::bindUniform(int slot, int index) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, GLuint(slot), handle_.name(),
+                      GLintptr(std::size_t(index) * kUniformStride), GLsizeiptr(kUniformStride));
+}
+
 void Buffer::read(std::span<std::byte> bytes) const {
     CHECK(bytes.size() <= size_);
     glGetNamedBufferSubData(handle_.name(), 0, GLsizeiptr(bytes.size()), bytes.data());

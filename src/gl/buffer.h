@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "gl/handle.h"
 
@@ -26,6 +28,8 @@ class Buffer {
 
     /// Replaces the content; memory is taken anew only where `bytes` does not fit.
     void write(const std::string& label, std::span<const std::byte> bytes);
+    /// Shows shaders element `index` of a buffer of spreadForUniforms in a uniform block.
+    void bindUniform(int slot, int index) const;
     /// Copies the first bytes back; waits for the GPU.
     void read(std::span<std::byte> bytes) const;
 
@@ -36,6 +40,21 @@ class Buffer {
     Handle<deleteBuffer> handle_;
     std::size_t size_ = 0;
 };
+
+/// Distance between the elements of a buffer of which shaders see one at a time through a uniform
+/// block: the largest alignment OpenGL may ask for.
+inline constexpr std::size_t kUniformStride = 256;
+
+/// Puts each value at a multiple of kUniformStride.
+template <typename Value>
+std::vector<std::byte> spreadForUniforms(const std::vector<Value>& values) {
+    static_assert(sizeof(Value) <= kUniformStride);
+    std::vector<std::byte> bytes(values.size() * kUniformStride);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::memcpy(&bytes[i * kUniformStride], &values[i], sizeof(Value));
+    }
+    return bytes;
+}
 
 /// The bytes of a vector of plain values.
 template <typename Container>

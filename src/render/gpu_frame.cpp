@@ -86,7 +86,7 @@ void uploadList(Buffer& buffer, const char* label, int slot, const std::vector<V
 }
 
 std::vector<gpu::Draw> describeDraws(const Scene& scene, const FramePlan& plan,
-                                     const glm::dmat4& viewFromWorld, const GpuScene& gpuScene) {
+                                     const glm::dmat4& viewFromWorld) {
     std::vector<gpu::Draw> draws;
     draws.reserve(plan.draws.size());
     for (const DrawItem& item : plan.draws) {
@@ -102,7 +102,7 @@ std::vector<gpu::Draw> describeDraws(const Scene& scene, const FramePlan& plan,
         normals *= size > 0.0 ? mirrored / size : 0.0;
         const bool hasNormals = !primitiveOf(scene, item).normals.empty();
         draws.push_back({glm::mat4(viewFromLocal), glm::mat4(glm::dmat4(normals)),
-                         glm::ivec4(gpuScene.materialIndex(item), hasNormals ? 1 : 0, 0, 0)});
+                         glm::ivec4(hasNormals ? 1 : 0, 0, 0, 0)});
     }
     return draws;
 }
@@ -151,8 +151,11 @@ void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene&
     }
     uploadList(directionalLamps_, "directional lamps", gpu::kDirectionalLampsSlot, directional);
 
-    uploadList(draws_, "draws", gpu::kDrawsSlot, describeDraws(scene, plan, fromWorld, gpuScene));
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kMaterialsSlot, gpuScene.materials());
+    draws_.write("draws", spreadForUniforms(describeDraws(scene, plan, fromWorld)));
+}
+
+void GpuFrame::bindDraw(int index) const {
+    draws_.bindUniform(gpu::kDrawSlot, index);
 }
 
 }  // namespace ribalta

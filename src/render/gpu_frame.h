@@ -12,6 +12,9 @@ class GpuFrame {
     /// Uploads the plan's view, lamps and placements, and binds them to their slots.
     void upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene);
 
+    /// Binds the placement of a draw of the plan to its slot.
+    void bindDraw(int index) const;
+
   private:
     Buffer view_;
     Buffer spotLamps_;

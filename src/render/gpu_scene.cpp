@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include <shared/slots.h>
 #include <shared/surface.h>
@@ -25,7 +24,6 @@ struct VertexAttributes {
 
 constexpr GLuint kPositionBinding = 0;
 constexpr GLuint kAttributesBinding = 1;
-constexpr GLuint kDrawBinding = 2;
 
 GLenum modeOf(Topology topology) {
     switch (topology) {
@@ -63,15 +61,12 @@ void appendAttributes(const Primitive& primitive, std::vector<VertexAttributes>&
     }
 }
 
-GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const Buffer& indices,
-                       const Buffer& drawNumbers) {
+GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const Buffer& indices) {
     GLuint array = 0;
     glCreateVertexArrays(1, &array);
     glVertexArrayVertexBuffer(array, kPositionBinding, positions.name(), 0, sizeof(glm::vec3));
     glVertexArrayVertexBuffer(array, kAttributesBinding, attributes.name(), 0,
                               sizeof(VertexAttributes));
-    glVertexArrayVertexBuffer(array, kDrawBinding, drawNumbers.name(), 0, sizeof(std::uint32_t));
-    glVertexArrayBindingDivisor(array, kDrawBinding, 1);
     glVertexArrayElementBuffer(array, indices.name());
 
     const auto floats = [&](GLuint attribute, GLuint binding, int count, std::size_t offset) {
@@ -88,9 +83,6 @@ GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const 
     glVertexArrayAttribFormat(array, gpu::kColorAttribute, 4, GL_UNSIGNED_SHORT, GL_TRUE,
                               GLuint(offsetof(VertexAttributes, color)));
     glVertexArrayAttribBinding(array, gpu::kColorAttribute, kAttributesBinding);
-    glEnableVertexArrayAttrib(array, gpu::kDrawAttribute);
-    glVertexArrayAttribIFormat(array, gpu::kDrawAttribute, 1, GL_UNSIGNED_INT, 0);
-    glVertexArrayAttribBinding(array, gpu::kDrawAttribute, kDrawBinding);
     return array;
 }
 
@@ -172,7 +164,6 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     std::vector<glm::vec3> positions;
     std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
-    std::size_t draws = 0;
     for (const Mesh& mesh : scene.meshes) {
         std::vector<Geometry>& list = geometry_.emplace_back();
         for (const Primitive& primitive : mesh.primitives) {
@@ -184,19 +175,11 @@ void GpuScene::uploadGeometry(const Scene& scene) {
             appendAttributes(primitive, attributes);
         }
     }
-    for (const Node& node : scene.nodes) {
-        draws += node.mesh < 0 ? 0 : scene.meshes[std::size_t(node.mesh)].primitives.size();
-    }
-    // An instanced attribute that counts up hands every draw its number, by its base instance.
-    std::vector<std::uint32_t> numbers(draws);
-    std::iota(numbers.begin(), numbers.end(), 0U);
 
     positions_.write("positions", bytesOf(positions));
     attributes_.write("vertex attributes", bytesOf(attributes));
     indices_.write("indices", bytesOf(indices));
-    drawNumbers_.write("draw numbers", bytesOf(numbers));
-    vertexArray_ =
-        Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_, drawNumbers_));
+    vertexArray_ = Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_));
 }
 
 void GpuScene::uploadMaterials(const Scene& scene) {
@@ -216,7 +199,7 @@ void GpuScene::uploadMaterials(const Scene& scene) {
     defaultMaterial_ = int(materials.size());
     materials.push_back(describeMaterial(Material{}));
     hasTextures_.push_back(false);
-    materials_.write("materials", bytesOf(materials));
+    materials_.write("materials", spreadForUniforms(materials));
 }
 
 void GpuScene::useTexture(const Scene& scene, const TextureSlot& slot, bool colors) {
@@ -228,7 +211,8 @@ void GpuScene::useTexture(const Scene& scene, const TextureSlot& slot, bool colo
     }
 }
 
-void GpuScene::bindMaterialTextures(const Scene& scene, const DrawItem& item) const {
+void GpuScene::bindMaterial(const Scene& scene, const DrawItem& item) const {
+    materials_.bindUniform(gpu::kMaterialSlot, materialIndex(item));
     const auto slots = slotsOf(materialOf(scene, item));
     for (std::size_t t = 0; t < slots.size(); ++t) {
         if (!*slots[t].slot) {

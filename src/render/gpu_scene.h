@@ -38,16 +38,11 @@ class GpuScene {
     }
     /// All attributes, for surfaces; positions (and what masks need) for shadow maps are the same.
     GLuint vertexArray() const { return vertexArray_.name(); }
-    GLuint materials() const { return materials_.name(); }
-    /// Index into materials() of an item's material.
-    int materialIndex(const DrawItem& item) const {
-        return item.material < 0 ? defaultMaterial_ : item.material;
-    }
     bool hasTextures(const DrawItem& item) const {
         return hasTextures_[std::size_t(materialIndex(item))];
     }
-    /// Binds the pictures of an item's material to their units.
-    void bindMaterialTextures(const Scene& scene, const DrawItem& item) const;
+    /// Binds an item's material to its slot and the material's pictures to their units.
+    void bindMaterial(const Scene& scene, const DrawItem& item) const;
 
     /// All light maps, one a layer; none where no lamp has one.
     const Texture2D& lightMaps() const { return lightMaps_; }
@@ -55,6 +50,9 @@ class GpuScene {
     int lightMapLayer(const SpotLight& lamp) const;
 
   private:
+    int materialIndex(const DrawItem& item) const {
+        return item.material < 0 ? defaultMaterial_ : item.material;
+    }
     void uploadGeometry(const Scene& scene);
     void uploadMaterials(const Scene& scene);
     void uploadLightMaps(const Scene& scene);
@@ -65,7 +63,6 @@ class GpuScene {
     Buffer positions_;
     Buffer attributes_;
     Buffer indices_;
-    Buffer drawNumbers_;
     Buffer materials_;
     int defaultMaterial_ = 0;
     std::vector<bool> hasTextures_;                     ///< by material index

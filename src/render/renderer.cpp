@@ -51,8 +51,8 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     clear(*targets_);
     if (plan_.forward) {
         const DebugGroup group("forward");
-        madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, shadowMaps(),
-                                      *targets_);
+        madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, gpuFrame_,
+                                      shadowMaps(), *targets_);
     }
     if (plan_.beams) {
         timer_.begin("beams");

@@ -27,7 +27,7 @@ const Program& ForwardPass::program(const Variant& variant) {
 }
 
 void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
-                           int index, bool blended, bool normalOutput) {
+                           const GpuFrame& frame, int index, bool blended, bool normalOutput) {
     const DrawItem& item = plan.draws[std::size_t(index)];
     const Material& material = materialOf(scene, item);
     const glm::dmat4& worldFromLocal = scene.nodes[std::size_t(item.node)].worldFromLocal;
@@ -43,26 +43,27 @@ void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuS
     state.clockwiseFront = glm::determinant(glm::dmat3(worldFromLocal)) < 0.0;
     apply(state);
 
-    gpuScene.bindMaterialTextures(scene, item);
+    gpuScene.bindMaterial(scene, item);
+    frame.bindDraw(index);
     const GpuScene::Geometry& geometry = gpuScene.geometry(item);
-    glDrawElementsInstancedBaseVertexBaseInstance(
-        geometry.mode, geometry.indexCount, GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(geometry.indexOffset), 1, geometry.baseVertex, GLuint(index));
+    glDrawElementsBaseVertex(geometry.mode, geometry.indexCount, GL_UNSIGNED_INT,
+                             reinterpret_cast<const void*>(geometry.indexOffset),
+                             geometry.baseVertex);
     ++glCounters().drawCalls;
 }
 
 void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FramePlan& plan,
-                       const GpuScene& gpuScene, const Texture2D& shadowMaps,
+                       const GpuScene& gpuScene, const GpuFrame& frame, const Texture2D& shadowMaps,
                        const FrameTargets& targets) {
     targets.surfaces.bind();
     glEnable(GL_PROGRAM_POINT_SIZE);
     glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
     glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
     for (const int index : work.opaque) {
-        drawItem(scene, plan, gpuScene, index, false, work.normalOutput);
+        drawItem(scene, plan, gpuScene, frame, index, false, work.normalOutput);
     }
     for (const int index : work.blended) {
-        drawItem(scene, plan, gpuScene, index, true, work.normalOutput);
+        drawItem(scene, plan, gpuScene, frame, index, true, work.normalOutput);
     }
     glDisable(GL_PROGRAM_POINT_SIZE);
     for (int t = 0; t < gpu::kMaterialTextures; ++t) {

@@ -7,6 +7,7 @@
 #include "gl/texture.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
+#include "render/gpu_frame.h"
 #include "render/gpu_scene.h"
 
 namespace ribalta {
@@ -15,7 +16,8 @@ class ForwardPass {
   public:
     /// `shadowMaps` may be empty where no lamp has casters.
     void draw(const ForwardWork& work, const Scene& scene, const FramePlan& plan,
-              const GpuScene& gpuScene, const Texture2D& shadowMaps, const FrameTargets& targets);
+              const GpuScene& gpuScene, const GpuFrame& frame, const Texture2D& shadowMaps,
+              const FrameTargets& targets);
 
   private:
     struct Variant {
@@ -26,8 +28,8 @@ class ForwardPass {
         auto operator<=>(const Variant&) const = default;
     };
 
-    void drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene, int index,
-                  bool blended, bool normalOutput);
+    void drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
+                  const GpuFrame& frame, int index, bool blended, bool normalOutput);
     const Program& program(const Variant& variant);
 
     std::map<Variant, Program> programs_;

@@ -11,7 +11,6 @@ namespace ribalta {
 namespace {
 
 constexpr GLint kClipFromLocal = 0;
-constexpr GLint kMaterial = 1;
 
 }  // namespace
 
@@ -66,8 +65,7 @@ void ShadowMapPass::draw(const std::vector<ShadowMapWork>& work, const Scene& sc
                                           scene.nodes[std::size_t(item.node)].worldFromLocal);
             glUniformMatrix4fv(kClipFromLocal, 1, GL_FALSE, glm::value_ptr(clipFromLocal));
             if (mask) {
-                program.setInt(kMaterial, gpuScene.materialIndex(item));
-                gpuScene.bindMaterialTextures(scene, item);
+                gpuScene.bindMaterial(scene, item);
             }
             const GpuScene::Geometry& geometry = gpuScene.geometry(item);
             glDrawElementsBaseVertex(geometry.mode, geometry.indexCount, GL_UNSIGNED_INT,
