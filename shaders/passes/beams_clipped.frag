@@ -54,8 +54,12 @@ vec3 beamRadiance(SpotLamp lamp, vec3 origin, vec3 direction, float begin, float
     float z1 = max(last.z, 0.5 * kLensMetres);
     vec2 slope0 = first.xy / z0;
     vec2 slope1 = last.xy / z1;
-    float count = settings.planes.x;
     float width = exit - entry;
+    // As many sheets as are asked for where the ray runs right across the beam, or far along it; fewer,
+    // in the same distance from each other, where it only cuts a corner.
+    float across = 0.5 * lamp.projection.x * length(slope1 - slope0);
+    float along = 1.0 - min(z0, z1) / max(z0, z1);
+    float count = ceil(settings.planes.x * clamp(max(across, 2.0 * along), 0.5, 1.0));
 
     float level = 0.0;
     if (lamp.layers.y >= 0) {

@@ -27,11 +27,11 @@ double depthOf(const Camera& camera, const glm::dvec3& point) {
     return glm::dot(camera.frame.forward(), point - camera.frame.position);
 }
 
-// As many texels as the picture has rows, and a little more: a beam seldom fills the picture, and
-// finer maps only cost memory traffic, which is what beams spend their time on.
+// At least a texel for two rows of the picture: a beam seldom fills more than half of it, and finer
+// maps only cost memory traffic, which is what beams spend their time on.
 int shadowSideFor(std::size_t lamps, int pictureHeight) {
     int side = kMinShadowSide;
-    while (side < pictureHeight && side < kMaxShadowSide) {
+    while (2 * side < pictureHeight && side < kMaxShadowSide) {
         side *= 2;
     }
     while (side > kMinShadowSide &&

@@ -15,7 +15,7 @@ struct BeamSettings {
     };
 
     Method method = Method::kClipped;
-    int planes = 32;  ///< sheets a beam (clipped) or planes a frame (planes)
+    int planes = 24;  ///< sheets a beam (clipped) or planes a frame (planes)
     /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
     /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.
     int cellsAcross = 0;

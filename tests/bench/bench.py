@@ -71,8 +71,9 @@ def measure(arguments):
     first = [{"frame_ms": run["first_frame_ms"], "passes": run["first_frame_passes"]}
              for run in runs]
     kept = medians(runs)
-    # That pass is the cold frame's, whose shadow maps the others keep.
-    kept["passes"] = [each for each in kept["passes"] if each["name"] != "shadow_map"]
+    if "--redraw" not in arguments.options:
+        # That pass is the cold frame's, whose shadow maps the others keep.
+        kept["passes"] = [each for each in kept["passes"] if each["name"] != "shadow_map"]
     return {
         "renderer": runs[0]["renderer"],
         "scene": str(arguments.scene),

@@ -14,7 +14,7 @@ class Help(CommandTest):
     def test_render_shows_units_and_defaults(self):
         text = self.expect_done("render", "--help").stdout
         for word in ["WxH=1280x720", "S[,A]=", "1/m", "EV100|auto=auto", "cd/m2", "METHOD=clipped",
-                     "in metres", "in lux", "NAME[:G]=gibbons", "N=32", "-o,--output"]:
+                     "in metres", "in lux", "NAME[:G]=gibbons", "N=24", "-o,--output"]:
             self.assertIn(word, text)
 
     def test_inspect_has_help_of_its_own(self):

@@ -8,6 +8,7 @@
 #include <shared/surface.h>
 #include <shared/view.h>
 
+#include "gl/buffer.h"
 #include "gl/program.h"
 #include "gpu_test.h"
 
@@ -107,21 +108,28 @@ TEST_F(StructLayout, WhatSurfacesRead) {
     expectBuffer(program, "DirectionalLamps", "directionalLamps",
                  {MEMBER(DirectionalLamp, towardsLamp), MEMBER(DirectionalLamp, lux)},
                  sizeof(gpu::DirectionalLamp), 2);
-    expectBuffer(
-        program, "Draws", "draws",
-        {MEMBER(Draw, viewFromLocal), MEMBER(Draw, viewFromNormal), MEMBER(Draw, material)},
-        sizeof(gpu::Draw), 3);
-    expectBuffer(program, "Materials", "materials",
-                 {MEMBER(SurfaceMaterial, baseColor),
-                  MEMBER(SurfaceMaterial, emission),
-                  MEMBER(SurfaceMaterial, factors),
-                  MEMBER(SurfaceMaterial, flags),
-                  {"uvRows[0]", offsetof(gpu::SurfaceMaterial, uvRows)}},
-                 sizeof(gpu::SurfaceMaterial), 5);
-    EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "materials[0].uvRows[0]", GL_ARRAY_STRIDE),
+    expectUniforms(program, "DrawBlock",
+                   {{"draw.viewFromLocal", offsetof(gpu::Draw, viewFromLocal)},
+                    {"draw.viewFromNormal", offsetof(gpu::Draw, viewFromNormal)},
+                    {"draw.flags", offsetof(gpu::Draw, flags)}},
+                   sizeof(gpu::Draw), 3);
+    expectUniforms(program, "MaterialBlock",
+                   {{"material.baseColor", offsetof(gpu::SurfaceMaterial, baseColor)},
+                    {"material.emission", offsetof(gpu::SurfaceMaterial, emission)},
+                    {"material.factors", offsetof(gpu::SurfaceMaterial, factors)},
+                    {"material.flags", offsetof(gpu::SurfaceMaterial, flags)},
+                    {"material.uvRows[0]", offsetof(gpu::SurfaceMaterial, uvRows)}},
+                   sizeof(gpu::SurfaceMaterial), 5);
+    EXPECT_EQ(property(program, GL_UNIFORM, "material.uvRows[0]", GL_ARRAY_STRIDE),
               GLint(sizeof(glm::vec4)));
     EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "spotLamps[0].lampFromView", GL_MATRIX_STRIDE),
               GLint(sizeof(glm::vec4)));
+}
+
+TEST_F(StructLayout, WindowsOntoBuffersAreAligned) {
+    GLint alignment = 0;
+    glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    EXPECT_EQ(kUniformStride % std::size_t(alignment), 0U);
 }
 
 TEST_F(StructLayout, BuffersStandInTheirSlots) {
@@ -131,6 +139,9 @@ TEST_F(StructLayout, BuffersStandInTheirSlots) {
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "ViewBlock", GL_BUFFER_BINDING), gpu::kViewSlot);
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "SettingsBlock", GL_BUFFER_BINDING),
               gpu::kBeamSettingsSlot);
+    EXPECT_EQ(property(surfaces, GL_UNIFORM_BLOCK, "DrawBlock", GL_BUFFER_BINDING), gpu::kDrawSlot);
+    EXPECT_EQ(property(surfaces, GL_UNIFORM_BLOCK, "MaterialBlock", GL_BUFFER_BINDING),
+              gpu::kMaterialSlot);
     const auto slot = [&](const Program& program, const char* block) {
         return property(program, GL_SHADER_STORAGE_BLOCK, block, GL_BUFFER_BINDING);
     };
@@ -139,8 +150,6 @@ TEST_F(StructLayout, BuffersStandInTheirSlots) {
     EXPECT_EQ(slot(beams, "TileLamps"), gpu::kTileLampsSlot);
     EXPECT_EQ(slot(surfaces, "PointLamps"), gpu::kPointLampsSlot);
     EXPECT_EQ(slot(surfaces, "DirectionalLamps"), gpu::kDirectionalLampsSlot);
-    EXPECT_EQ(slot(surfaces, "Draws"), gpu::kDrawsSlot);
-    EXPECT_EQ(slot(surfaces, "Materials"), gpu::kMaterialsSlot);
 }
 
 #undef MEMBER

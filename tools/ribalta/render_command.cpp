@@ -35,7 +35,7 @@ struct RenderOptions {
     std::string haze = "0.02";
     std::string phase = "gibbons";
     std::string beams = "clipped";
-    int planes = 32;
+    int planes = 24;
     std::string cells;
     std::optional<double> k;
     std::optional<double> spacing;
@@ -44,6 +44,7 @@ struct RenderOptions {
     std::string layers;
     std::string stats;
     int repeat = 1;
+    bool redraw = false;
     bool verbose = false;
 };
 
@@ -104,10 +105,13 @@ std::uint64_t peakMemory() {
 }
 
 RenderStats drawFrames(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
-                       int repeat) {
+                       int repeat, bool redraw) {
     RenderStats stats;
     Progress progress("drawing", std::size_t(repeat));
     for (int i = 0; i < repeat; ++i) {
+        if (redraw) {
+            renderer.forget();
+        }
         const Clock::time_point start = Clock::now();
         const FramePlan& plan = renderer.draw(camera, settings);
         FrameTimes times;
@@ -178,7 +182,7 @@ void render(const RenderOptions& options) {
     progress.reset();
     const double uploadMs = msSince(start);
 
-    RenderStats stats = drawFrames(renderer, camera, settings, options.repeat);
+    RenderStats stats = drawFrames(renderer, camera, settings, options.repeat, options.redraw);
     stats.renderer = context.renderer();
     stats.load = loaded.stages;
     stats.load.push_back({"context", contextMs});
@@ -232,6 +236,8 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("N")
         ->check(CLI::Range(1, 100000).description(""))
         ->capture_default_str();
+    command.add_flag("--redraw", options.redraw,
+                     "with --repeat: draw the shadow maps anew in every frame");
     command.add_flag("--verbose", options.verbose,
                      "say which OpenGL is used, what is drawn and how long it takes");
 }
