@@ -126,7 +126,9 @@ Context::Context() {
             break;
         }
         logVerbose("OpenGL: passed over a device: " + why);
-        tried += (tried.empty() ? "" : ", ") + why;
+        if (tried.find(why) == std::string::npos) {
+            tried += (tried.empty() ? "" : ", ") + why;
+        }
     }
     if (!egl_) {
         throw Error(ErrorKind::kNoOpenGL, {},

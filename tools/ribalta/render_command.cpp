@@ -183,6 +183,10 @@ void render(const RenderOptions& options) {
     const double uploadMs = msSince(start);
 
     RenderStats stats = drawFrames(renderer, camera, settings, options.repeat, options.redraw);
+    if (renderer.lastPlan().lampsWithoutShadow > 0) {
+        logWarning(std::to_string(renderer.lastPlan().lampsWithoutShadow) +
+                   " lamps cast no shadows: more lamps have casters than there are shadow maps");
+    }
     stats.renderer = context.renderer();
     stats.load = loaded.stages;
     stats.load.push_back({"context", contextMs});
