@@ -11,6 +11,7 @@
 
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(std430, binding = kLampsSlot) readonly buffer SpotLamps { SpotLamp spotLamps[]; };
+layout(std430, binding = kSpotConesSlot) readonly buffer SpotCones { SpotCone spotCones[]; };
 layout(std430, binding = kPointLampsSlot) readonly buffer PointLamps { PointLamp pointLamps[]; };
 layout(std430, binding = kDirectionalLampsSlot) readonly buffer DirectionalLamps {
     DirectionalLamp directionalLamps[];
@@ -177,21 +178,19 @@ vec3 lightMapOnSurface(SpotLamp lamp, vec3 place, vec3 placeDx, vec3 placeDy) {
                       0.5 * log2(max(footprint, 1.0e-8))).rgb;
 }
 
-/// Whether a spot's beam holds the point, shadows aside.
-bool inBeam(int index) {
-    vec3 place = (spotLamps[index].lampFromView * vec4(viewPosition, 1.0)).xyz;
-    if (spotLamps[index].projection.w > 0.5) {
-        return place.z > kLensMetres &&
-               max(abs(place.x), abs(place.y)) * spotLamps[index].projection.x < place.z;
-    }
-    return place.z > kLensMetres && place.z * place.z > spotLamps[index].cone.z * dot(place, place);
+/// Whether the cone around a spot's beam holds the point.
+bool inCone(int index) {
+    vec3 place = viewPosition - spotCones[index].apex.xyz;
+    float depth = dot(place, spotCones[index].axis.xyz);
+    return depth > kLensMetres && depth * depth > spotCones[index].apex.w * dot(place, place);
 }
 
 vec3 litBySpot(SpotLamp lamp, Surface surface, vec3 positionDx, vec3 positionDy) {
     vec3 place = (lamp.lampFromView * vec4(viewPosition, 1.0)).xyz;
     float distanceMetres = length(place);
+    bool inSquare = max(abs(place.x), abs(place.y)) * lamp.projection.x < place.z;
     float falloff = lamp.projection.w > 0.5
-                        ? 1.0
+                        ? float(inSquare)
                         : coneFalloff(place.z / distanceMetres, lamp.cone.x, lamp.cone.y);
     vec3 towardsLamp = -normalize(transpose(mat3(lamp.lampFromView)) * place);
     vec3 light = reflected(surface, towardsLamp) * lamp.candela.rgb *
@@ -213,7 +212,7 @@ vec3 litBySpots(Surface surface, vec3 positionDx, vec3 positionDy) {
     vec3 sum = vec3(0.0);
     int index = 0;
     while (true) {
-        while (index < view.lampCounts.x && !inBeam(index)) {
+        while (index < view.lampCounts.x && !inCone(index)) {
             ++index;
         }
         if (index >= view.lampCounts.x) {

@@ -14,6 +14,12 @@ struct SpotLamp {
     ivec4 layers;     // shadow map, light map (-1: none); side of the light map in texels
 };
 
+// The cone around a spot's beam, square ones included: enough to tell which points it misses.
+struct SpotCone {
+    vec4 apex;  // view space; w: cos^2 of its half angle
+    vec4 axis;  // unit, the way it shines
+};
+
 struct PointLamp {
     vec4 position;  // view space; w: 1 / range
     vec4 candela;   // R, G, B

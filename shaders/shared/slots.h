@@ -12,6 +12,7 @@ const int kMaterialSlot = 3;  // a window onto its material
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
 const int kDirectionalLampsSlot = 2;
+const int kSpotConesSlot = 3;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;

@@ -3,13 +3,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <random>
 #include <string>
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -64,6 +63,18 @@ void forget(const char* name) {
     }
 }
 
+// A name beside the target, with its ending, that hardly any file has.
+std::filesystem::path unusedName(const std::filesystem::path& target) {
+    constexpr char kLetters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
+    std::random_device random;
+    std::uniform_int_distribution<std::size_t> letter(0, sizeof(kLetters) - 2);
+    std::string middle = ".";
+    for (int i = 0; i < 10; ++i) {
+        middle += kLetters[letter(random)];
+    }
+    return target.parent_path() / (target.stem().string() + middle + target.extension().string());
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(target) {
@@ -79,20 +90,21 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target) : target_(targ
         }
         target_ = std::filesystem::canonical(target, missing);
     }
-    const std::string extension = target_.extension().string();
-    std::string name = target_.string();
-    name.resize(name.size() - extension.size());
-    name += ".XXXXXX" + extension;
-    const int file = mkstemps(name.data(), static_cast<int>(extension.size()));
-    if (file < 0) {
-        failed(target, reasonAndCure(errno));
+    int file = -1;
+    int error = EEXIST;
+    while (file < 0 && error == EEXIST) {
+        path_ = unusedName(target_);
+        // Known before it is there, so that no signal finds it there and unknown.
+        remember(path_.c_str());
+        file = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        error = errno;
+        if (file < 0) {
+            forget(path_.c_str());
+        }
     }
-    path_ = name;
-    remember(path_.c_str());
-    // mkstemps makes the file private; an output gets the permissions any new file would have.
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(file, 0666 & ~mask);
+    if (file < 0) {
+        failed(target, reasonAndCure(error));
+    }
     close(file);
 }
 

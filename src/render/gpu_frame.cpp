@@ -79,6 +79,15 @@ gpu::SpotLamp describeSpot(const SpotLight& lamp, int shadowLayer, const glm::dm
     return result;
 }
 
+gpu::SpotCone describeCone(const SpotLight& lamp, const glm::dmat4& viewFromWorld) {
+    const double tangent = std::tan(drawnConeAngle(lamp));
+    // A square's corners lie sqrt(2) farther out than its sides.
+    const double widest = lamp.beamShape == BeamShape::kPyramid ? 2.0 : 1.0;
+    return {glm::vec4(glm::dvec3(viewFromWorld * glm::dvec4(lamp.frame.position, 1.0)),
+                      1.0 / (1.0 + widest * tangent * tangent)),
+            glm::vec4(glm::dmat3(viewFromWorld) * lamp.frame.forward(), 0.0)};
+}
+
 template <typename Value>
 void uploadList(Buffer& buffer, const char* label, int slot, const std::vector<Value>& values) {
     buffer.write(label, bytesOf(values));
@@ -128,11 +137,14 @@ void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene&
     glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kViewSlot, view_.name());
 
     std::vector<gpu::SpotLamp> spots;
+    std::vector<gpu::SpotCone> cones;
     for (const PlannedLamp& lamp : plan.lamps) {
         spots.push_back(describeSpot(scene.spotLights[std::size_t(lamp.spot)], lamp.shadowLayer,
                                      fromView, plan.shadowMaps.side, gpuScene));
+        cones.push_back(describeCone(scene.spotLights[std::size_t(lamp.spot)], fromWorld));
     }
     uploadList(spotLamps_, "spot lamps", gpu::kLampsSlot, spots);
+    uploadList(spotCones_, "spot cones", gpu::kSpotConesSlot, cones);
 
     std::vector<gpu::PointLamp> points;
     for (const int index : plan.pointLights) {

@@ -18,6 +18,7 @@ class GpuFrame {
   private:
     Buffer view_;
     Buffer spotLamps_;
+    Buffer spotCones_;
     Buffer pointLamps_;
     Buffer directionalLamps_;
     Buffer draws_;

@@ -102,6 +102,8 @@ TEST_F(StructLayout, WhatBeamsRead) {
 TEST_F(StructLayout, WhatSurfacesRead) {
     const Program program({"passes/forward.vert", "passes/forward.frag"},
                           {"TEXTURES", "ALPHA_MASK"});
+    expectBuffer(program, "SpotCones", "spotCones",
+                 {MEMBER(SpotCone, apex), MEMBER(SpotCone, axis)}, sizeof(gpu::SpotCone), 2);
     expectBuffer(program, "PointLamps", "pointLamps",
                  {MEMBER(PointLamp, position), MEMBER(PointLamp, candela)}, sizeof(gpu::PointLamp),
                  2);
@@ -148,6 +150,7 @@ TEST_F(StructLayout, BuffersStandInTheirSlots) {
     EXPECT_EQ(slot(beams, "SpotLamps"), gpu::kLampsSlot);
     EXPECT_EQ(slot(beams, "Tiles"), gpu::kTilesSlot);
     EXPECT_EQ(slot(beams, "TileLamps"), gpu::kTileLampsSlot);
+    EXPECT_EQ(slot(surfaces, "SpotCones"), gpu::kSpotConesSlot);
     EXPECT_EQ(slot(surfaces, "PointLamps"), gpu::kPointLampsSlot);
     EXPECT_EQ(slot(surfaces, "DirectionalLamps"), gpu::kDirectionalLampsSlot);
 }
