@@ -66,8 +66,4 @@ void Program::setInt(GLint location, int value) const {
     glProgramUniform1i(name(), location, value);
 }
 
-void Program::setFloat(GLint location, float value) const {
-    glProgramUniform1f(name(), location, value);
-}
-
 }  // namespace ribalta

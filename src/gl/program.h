@@ -24,7 +24,6 @@ class Program {
     explicit operator bool() const { return bool(handle_); }
 
     void setInt(GLint location, int value) const;
-    void setFloat(GLint location, float value) const;
 
   private:
     Handle<deleteProgram> handle_;

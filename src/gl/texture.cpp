@@ -105,12 +105,6 @@ void Texture2D::read(GLenum format, GLenum type, std::span<std::byte> bytes) con
     glGetTextureImage(name(), 0, format, type, GLsizei(bytes.size()), bytes.data());
 }
 
-void Texture2D::readLayer(int layer, GLenum format, GLenum type, std::span<std::byte> bytes) const {
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureSubImage(name(), 0, 0, 0, layer, size_.width, size_.height, 1, format, type,
-                         GLsizei(bytes.size()), bytes.data());
-}
-
 int Texture2D::fullLevels(int width, int height) {
     return int(std::bit_width(unsigned(std::max(width, height))));
 }
