@@ -181,7 +181,7 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
             work.lamps.push_back(int(i));
         }
     }
-    if (work.settings.method == BeamSettings::Method::kPlanes) {
+    if (work.settings.method == BeamMethod::kPlanes) {
         planPlanes(scene, plan, work);
         work.tiles = {};
     }
@@ -306,7 +306,7 @@ std::string FramePlan::describe() const {
         add("forward");
     }
     if (beams) {
-        const bool planes = beams->settings.method == BeamSettings::Method::kPlanes;
+        const bool planes = beams->settings.method == BeamMethod::kPlanes;
         add((planes ? "beams_planes[" : "beams[") + std::to_string(beams->lamps.size()) + "]");
     }
     if (tonemap) {
@@ -320,7 +320,7 @@ std::uint64_t FramePlan::beamSamples() const {
         return 0;
     }
     const auto planes = std::uint64_t(beams->settings.planes);
-    if (beams->settings.method == BeamSettings::Method::kPlanes) {
+    if (beams->settings.method == BeamMethod::kPlanes) {
         return planes * beams->lamps.size() * std::uint64_t(settings.width) *
                std::uint64_t(settings.height);
     }

@@ -3,18 +3,14 @@
 
 #include <optional>
 
+#include "render/beam_method.h"
 #include "scene/haze.h"
 
 namespace ribalta {
 
 /// How the light in the haze is summed.
 struct BeamSettings {
-    enum class Method {
-        kClipped,  ///< sheets confined to the part of each pixel's ray inside the beam
-        kPlanes,   ///< the thesis's view-aligned planes over the camera's depth range
-    };
-
-    Method method = Method::kClipped;
+    BeamMethod method = BeamMethod::kClipped;
     int planes = 24;  ///< sheets a beam (clipped) or planes a frame (planes)
     /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
     /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.

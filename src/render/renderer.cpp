@@ -71,7 +71,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
 }
 
 void Renderer::drawBeams(const BeamsWork& work) {
-    if (work.settings.method == BeamSettings::Method::kPlanes) {
+    if (work.settings.method == BeamMethod::kPlanes) {
         madeOnFirstUse(planeBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
     } else {
         madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);

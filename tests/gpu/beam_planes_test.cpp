@@ -15,7 +15,7 @@ class BeamPlanes : public GpuTest {
         scene_.spotLights.push_back(lamp);
         addShape(scene_, makeQuad({0, 0, 0}, {8, 0, 0}, {0, 0, -8}), makeMaterial(glm::vec3(0.5F)));
         settings_.haze.scatteringPerMetre = 0.05;
-        settings_.beams.method = BeamSettings::Method::kPlanes;
+        settings_.beams.method = BeamMethod::kPlanes;
     }
 
     Scene scene_;
@@ -39,7 +39,7 @@ TEST_F(BeamPlanes, ConvergeToTheIntegral) {
 TEST_F(BeamPlanes, AgreeWithClippedSheets) {
     settings_.beams.planes = 4096;
     const Picture planes = drawnBeams(scene_, camera_, settings_);
-    settings_.beams.method = BeamSettings::Method::kClipped;
+    settings_.beams.method = BeamMethod::kClipped;
     settings_.beams.planes = 64;
     EXPECT_LT(relativeRmse(planes, drawnBeams(scene_, camera_, settings_)), 0.005);
 }

@@ -127,7 +127,7 @@ TEST_F(FrameLayersTest, BeamsAndAttenuatedSurfacesAreTheWhole) {
     addShape(scene, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}), makeMaterial({0.8F, 0.5F, 0.2F}));
     addShape(scene, makeSphere({0, 0.5, 0}, 0.5F), makeMaterial({0.2F, 0.5F, 0.8F}));
     for (const Camera& camera : lenses({0.5, 2.0, 5.0}, {0, 0.8, 0})) {
-        for (const auto method : {BeamSettings::Method::kClipped, BeamSettings::Method::kPlanes}) {
+        for (const auto method : {BeamMethod::kClipped, BeamMethod::kPlanes}) {
             settings_.beams.method = method;
             const Frame3 whole = drawOnce(scene, camera, settings_, layers_);
             // Haze that takes as much and scatters nothing.

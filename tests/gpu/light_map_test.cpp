@@ -99,7 +99,7 @@ TEST_F(LightMapTest, InTheHazeAsSeenFromTheLamp) {
     for (const auto& [rotation, expected] : turns) {
         useLightMap(scene_, lamp_, quadrants(), rotation);
         scene_.spotLights = {lamp_};
-        for (const auto method : {BeamSettings::Method::kClipped, BeamSettings::Method::kPlanes}) {
+        for (const auto method : {BeamMethod::kClipped, BeamMethod::kPlanes}) {
             settings_.beams.method = method;
             // From the lamp itself every ray keeps to one direction of the light map. The near
             // plane stands beyond the lens.

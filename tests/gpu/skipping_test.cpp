@@ -144,9 +144,7 @@ std::uint64_t plannedDrawCalls(const FramePlan& plan) {
         calls += plan.forward->opaque.size() + plan.forward->blended.size();
     }
     if (plan.beams) {
-        calls += plan.beams->settings.method == BeamSettings::Method::kPlanes
-                     ? plan.beams->lamps.size()
-                     : 1;
+        calls += plan.beams->settings.method == BeamMethod::kPlanes ? plan.beams->lamps.size() : 1;
     }
     if (plan.tonemap) {
         calls += plan.tonemap->ev100 ? 1 : 2;
@@ -159,7 +157,7 @@ TEST_F(Skipping, DrawCallsAreWhatThePlanSays) {
     Material glass = makeMaterial(glm::vec3(0.5F));
     glass.alphaMode = Material::AlphaMode::kBlend;
     addShape(scene_, makeQuad({0, 1, 2}, {1, 0, 0}, {0, 1, 0}), glass);
-    for (const auto method : {BeamSettings::Method::kClipped, BeamSettings::Method::kPlanes}) {
+    for (const auto method : {BeamMethod::kClipped, BeamMethod::kPlanes}) {
         for (const bool display : {false, true}) {
             Renderer renderer(scene_);
             settings_.beams.method = method;

@@ -48,6 +48,14 @@ struct RenderOptions {
     bool verbose = false;
 };
 
+std::vector<std::string> beamMethodNames() {
+    std::vector<std::string> names;
+    for (const BeamMethod method : allBeamMethods()) {
+        names.emplace_back(name(method));
+    }
+    return names;
+}
+
 FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& outputs) {
     FrameSettings settings;
     const PictureSize size = parseSize(options.size);
@@ -56,8 +64,7 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
     parseHaze(options.haze, settings.haze);
     parsePhase(options.phase, settings.haze.phase);
     settings.haze.phase.k = options.k.value_or(settings.haze.phase.k);
-    settings.beams.method =
-        options.beams == "planes" ? BeamSettings::Method::kPlanes : BeamSettings::Method::kClipped;
+    settings.beams.method = beamMethodNamed(options.beams).value();
     settings.beams.planes = options.planes;
     settings.beams.spacingMetres = options.spacing;
     if (!options.cells.empty()) {
@@ -65,7 +72,7 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
         settings.beams.cellsAcross = cells.width;
         settings.beams.cellsDown = cells.height;
     }
-    const bool planes = settings.beams.method == BeamSettings::Method::kPlanes;
+    const bool planes = settings.beams.method == BeamMethod::kPlanes;
     if (!planes && (options.spacing || !options.cells.empty())) {
         throw CLI::ValidationError("--beams", "--dt and --cells belong to --beams planes");
     }
@@ -264,7 +271,7 @@ void addHazeOptions(CLI::App& command, RenderOptions& options) {
             "how beams are drawn: clipped, with sheets within each beam, or planes, through "
             "the whole view (Pessoa 2007)")
         ->type_name("METHOD")
-        ->check(CLI::IsMember({"clipped", "planes"}).description(""))
+        ->check(CLI::IsMember(beamMethodNames()).description(""))
         ->capture_default_str();
     command
         .add_option("--planes", options.planes, "sheets a beam, or planes of the view, 1..65536")

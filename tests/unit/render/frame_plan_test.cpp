@@ -122,7 +122,7 @@ TEST(FramePlanLine, WithoutAScreenThereIsNoToneMapping) {
 
 TEST(FramePlanLine, PlanesAreSaid) {
     SmallStage stage;
-    stage.settings.beams.method = BeamSettings::Method::kPlanes;
+    stage.settings.beams.method = BeamMethod::kPlanes;
     EXPECT_EQ(stage.line(), "shadow_map[1] forward beams_planes[1] tonemap");
     EXPECT_TRUE(stage.plan().beams->tiles.tiles.empty());
 }
@@ -130,7 +130,7 @@ TEST(FramePlanLine, PlanesAreSaid) {
 TEST(FramePlan, PlanesRunFromTheNearPlaneToTheEndOfTheScene) {
     SmallStage stage;
     stage.camera = makeCamera({0, 1, 20}, {0, 1, 0});
-    stage.settings.beams.method = BeamSettings::Method::kPlanes;
+    stage.settings.beams.method = BeamMethod::kPlanes;
     stage.settings.beams.planes = 100;
     // The floor's far edge is at z = -5: 25 m from the camera, along its axis.
     FramePlan plan = stage.plan();
@@ -210,7 +210,7 @@ TEST(FramePlan, BeamSamplesCountsThePixelsOfTheTiles) {
     stage.settings.height = 37;
     stage.settings.beams.planes = 24;
     EXPECT_EQ(stage.plan().beamSamples(), 24U * 2U * 70U * 37U);
-    stage.settings.beams.method = BeamSettings::Method::kPlanes;
+    stage.settings.beams.method = BeamMethod::kPlanes;
     EXPECT_EQ(stage.plan().beamSamples(), 24U * 2U * 70U * 37U);
     stage.settings.haze.scatteringPerMetre = 0.0;
     EXPECT_EQ(stage.plan().beamSamples(), 0U);
