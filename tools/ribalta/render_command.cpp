@@ -13,6 +13,7 @@
 #include "gl/context.h"
 #include "gl/counters.h"
 #include "gltf/load_gltf.h"
+#include "haze_options.h"
 #include "options.h"
 #include "render/renderer.h"
 #include "render_outputs.h"
@@ -32,12 +33,10 @@ struct RenderOptions {
     std::vector<std::filesystem::path> outputs;
     std::optional<std::string> camera;
     std::string size = "1280x720";
-    std::string haze = "0.02";
-    std::string phase = "gibbons";
+    HazeOptions haze;
     std::string beams = "clipped";
     int planes = 24;
     std::string cells;
-    std::optional<double> k;
     std::optional<double> spacing;
     std::string exposure = "auto";
     double ambient = 1.0;
@@ -61,9 +60,7 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
     const PictureSize size = parseSize(options.size);
     settings.width = size.width;
     settings.height = size.height;
-    parseHaze(options.haze, settings.haze);
-    parsePhase(options.phase, settings.haze.phase);
-    settings.haze.phase.k = options.k.value_or(settings.haze.phase.k);
+    settings.haze = options.haze.parsed();
     settings.beams.method = beamMethodNamed(options.beams).value();
     settings.beams.planes = options.planes;
     settings.beams.spacingMetres = options.spacing;
@@ -75,9 +72,6 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
     const bool planes = settings.beams.method == BeamMethod::kPlanes;
     if (!planes && (options.spacing || !options.cells.empty())) {
         throw CLI::ValidationError("--beams", "--dt and --cells belong to --beams planes");
-    }
-    if (options.k && settings.haze.phase.kind != PhaseFunction::Kind::kGibbons) {
-        throw CLI::ValidationError("--K", "belongs to --phase gibbons");
     }
     settings.ambientLux = options.ambient;
     settings.ev100 = parseExposure(options.exposure);
@@ -253,18 +247,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
                      "say which OpenGL is used, what is drawn and how long it takes");
 }
 
-void addHazeOptions(CLI::App& command, RenderOptions& options) {
-    command
-        .add_option("--haze", options.haze,
-                    "SCATTERING[,ABSORPTION] of the haze in 1/m; 0 is clear air without beams")
-        ->type_name("S[,A]")
-        ->capture_default_str();
-    command
-        .add_option("--phase", options.phase,
-                    "phase function of the haze: gibbons, isotropic, rayleigh, hg:G, "
-                    "cornette-shanks:G, with -1 < G < 1")
-        ->type_name("NAME[:G]")
-        ->capture_default_str();
+void addBeamOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option(
             "--beams", options.beams,
@@ -284,11 +267,6 @@ void addHazeOptions(CLI::App& command, RenderOptions& options) {
                     "evaluated (default: at every pixel)")
         ->type_name("QxQ");
     command
-        .add_option("--K", options.k,
-                    "factor of Gibbons' phase function (default: 1/(8 pi), which is physical)")
-        ->type_name("NUMBER")
-        ->check(expectPositive, "");
-    command
         .add_option("--dt", options.spacing,
                     "with planes: their distance in metres (default: spread over the scene)")
         ->type_name("METRES")
@@ -301,7 +279,8 @@ void addRenderCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Draws one frame without a window.");
     const auto options = std::make_shared<RenderOptions>();
     addPictureOptions(*command, *options);
-    addHazeOptions(*command, *options);
+    options->haze.addTo(*command);
+    addBeamOptions(*command, *options);
     command->callback([options] { render(*options); });
 }
 
