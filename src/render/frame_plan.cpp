@@ -296,7 +296,16 @@ void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cac
     }
 }
 
+void FramePlan::keepPicture() {
+    kept = true;
+    shadowMapsKept += int(shadowMapWork.size());
+    shadowMapWork.clear();
+}
+
 std::string FramePlan::describe() const {
+    if (kept) {
+        return "kept";
+    }
     std::string line;
     const auto add = [&](const std::string& pass) { line += (line.empty() ? "" : " ") + pass; };
     if (!shadowMapWork.empty()) {
@@ -316,7 +325,7 @@ std::string FramePlan::describe() const {
 }
 
 std::uint64_t FramePlan::beamSamples() const {
-    if (!beams) {
+    if (!beams || kept) {
         return 0;
     }
     const auto planes = std::uint64_t(beams->settings.planes);

@@ -81,13 +81,16 @@ struct FramePlan {
     int lampsWithoutShadow = 0;          ///< spots with casters for which no shadow map is left
     ShadowMaps shadowMaps;
     int shadowMapsKept = 0;  ///< as they were drawn for an earlier frame
+    bool kept = false;       ///< the picture of the frame before: none of the passes below is run
 
     std::vector<ShadowMapWork> shadowMapWork;  ///< empty: no lamp with casters, or all kept
     std::optional<ForwardWork> forward;        ///< absent: nothing to see
     std::optional<BeamsWork> beams;            ///< absent: clear air, or no beam in view
     std::optional<TonemapWork> tonemap;        ///< absent: no picture for a screen is asked for
 
-    /// One line, e.g. "shadow_map[12] forward beams[12] exposure tonemap".
+    /// Turns the plan of a drawn frame into that of one that shows the same picture again.
+    void keepPicture();
+    /// One line, e.g. "shadow_map[12] forward beams[12] exposure tonemap"; "kept".
     std::string describe() const;
     /// Light samples the beams take, an upper bound known before drawing: sheets * pixels * lamps.
     std::uint64_t beamSamples() const;

@@ -19,6 +19,8 @@ struct BeamSettings {
     /// `planes` only: distance between planes in metres; otherwise they are spread evenly from the
     /// near plane to the end of the scene. With it they lie around the middle of that range.
     std::optional<double> spacingMetres;
+
+    bool operator==(const BeamSettings&) const = default;
 };
 
 struct FrameSettings {
@@ -31,6 +33,8 @@ struct FrameSettings {
     bool display = true;          ///< make the exposed, tone-mapped 8-bit picture
     bool beamsOutput = false;     ///< keep the beams apart as well
     bool normalOutput = false;    ///< keep the surfaces' normals
+
+    bool operator==(const FrameSettings&) const = default;
 };
 
 }  // namespace ribalta

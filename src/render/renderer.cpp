@@ -34,6 +34,12 @@ void clear(const FrameTargets& targets) {
 Renderer::Renderer(const Scene& scene) : scene_(scene), gpuScene_(scene) {}
 
 const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
+    FrameInputs inputs = frameInputs(scene_, camera, settings);
+    if (drawn_ == inputs) {
+        plan_.keepPicture();
+        return plan_;
+    }
+    drawn_.reset();
     plan_ = planFrame(scene_, camera, settings, cache_);
     if (!targets_ || !targets_->suit(settings)) {
         targets_.reset();
@@ -67,6 +73,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     }
     timer_.end();
     keepForNextFrame(scene_, plan_, cache_);
+    drawn_ = std::move(inputs);
     return plan_;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/timer.h"
+#include "render/frame_inputs.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
 #include "render/gpu_frame.h"
@@ -24,7 +25,9 @@ class Renderer {
     /// Uploads the scene, which must outlive the renderer. Needs a current context.
     explicit Renderer(const Scene& scene);
 
-    /// Plans and draws a frame; the plan is that of the last frame until the next call.
+    /// Plans and draws a frame; the plan is that of the last frame until the next call. Where
+    /// camera, settings, lamps and placements are those of the frame before, its picture is kept:
+    /// nothing is planned or drawn, and the plan is the one before with `kept` set.
     const FramePlan& draw(const Camera& camera, const FrameSettings& settings);
 
     /// The times of the last frame's passes; waits for the GPU.
@@ -34,8 +37,14 @@ class Renderer {
     const FrameTargets& targets() const { return *targets_; }
     /// The exposure of the last frame's display picture; none where there was none.
     std::optional<double> ev100() const;
-    /// Draws every shadow map anew in the next frame.
-    void forget() { cache_ = {}; }
+    /// Lets the next call of draw() draw its passes even where nothing changed, as a measurement
+    /// needs it. Shadow maps are kept as between any two frames.
+    void redrawNextFrame() { drawn_.reset(); }
+    /// Draws the next frame and every one of its shadow maps anew.
+    void forget() {
+        cache_ = {};
+        drawn_.reset();
+    }
 
   private:
     void drawBeams(const BeamsWork& work);
@@ -46,6 +55,7 @@ class Renderer {
     GpuScene gpuScene_;
     GpuFrame gpuFrame_;
     FrameCache cache_;
+    std::optional<FrameInputs> drawn_;  ///< what the picture that is there was drawn from
     FramePlan plan_;
     PassTimer timer_;
     std::optional<FrameTargets> targets_;

@@ -16,11 +16,13 @@ namespace ribalta {
 struct PerspectiveLens {
     double verticalFov = 0.8;           ///< radians, whole angle
     std::optional<double> aspectRatio;  ///< the author's; see viewHalfExtent
+    bool operator==(const PerspectiveLens&) const = default;
 };
 
 struct OrthographicLens {
     double halfWidth = 1.0;   ///< metres (xmag)
     double halfHeight = 1.0;  ///< metres (ymag)
+    bool operator==(const OrthographicLens&) const = default;
 };
 
 struct Camera {
@@ -32,6 +34,7 @@ struct Camera {
     double farMetres = std::numeric_limits<double>::infinity();  ///< finite where orthographic
 
     bool isOrthographic() const { return std::holds_alternative<OrthographicLens>(lens); }
+    bool operator==(const Camera&) const = default;
 };
 
 /// Half the view's extent at unit distance (perspective) or in metres (orthographic) for a picture

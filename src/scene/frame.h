@@ -14,6 +14,7 @@ struct Frame {
     glm::dvec3 right() const { return worldFromLocal[0]; }
     glm::dvec3 up() const { return worldFromLocal[1]; }
     glm::dvec3 forward() const { return -worldFromLocal[2]; }
+    bool operator==(const Frame&) const = default;
 };
 
 /// The placement a node's matrix gives to a camera or a lamp: its translation and its rotation,

@@ -13,6 +13,8 @@ struct PhaseFunction {
     /// Gibbons' factor K in K (1 + 9 cos^16(alpha / 2)); 1 / (8 pi) makes it integrate to one over
     /// the sphere. The thesis uses it as a free constant.
     double k = 0.0397887357729738;
+
+    bool operator==(const PhaseFunction&) const = default;
 };
 
 struct Haze {
@@ -22,6 +24,7 @@ struct Haze {
 
     double extinctionPerMetre() const { return scatteringPerMetre + absorptionPerMetre; }
     bool isClear() const { return scatteringPerMetre <= 0.0 && absorptionPerMetre <= 0.0; }
+    bool operator==(const Haze&) const = default;
 };
 
 }  // namespace ribalta

@@ -21,6 +21,8 @@ inline constexpr double kMaxConeAngle = 1.39626340159546;     // 80 degrees
 struct LightMap {
     int image = -1;                ///< into Scene::images
     double rotationRadians = 0.0;  ///< counter-clockwise seen from the lamp
+
+    bool operator==(const LightMap&) const = default;
 };
 
 enum class BeamShape {
@@ -39,6 +41,8 @@ struct SpotLight {
     double rangeMetres = std::numeric_limits<double>::infinity();
     std::optional<LightMap> lightMap;
     BeamShape beamShape = BeamShape::kCone;
+
+    bool operator==(const SpotLight&) const = default;
 };
 
 struct PointLight {
@@ -48,6 +52,8 @@ struct PointLight {
     glm::vec3 color{1.0F};
     double intensityCandela = 1.0;
     double rangeMetres = std::numeric_limits<double>::infinity();
+
+    bool operator==(const PointLight&) const = default;
 };
 
 struct DirectionalLight {
@@ -56,6 +62,8 @@ struct DirectionalLight {
     glm::dvec3 direction{0.0, 0.0, -1.0};  ///< the way the light travels, unit, world
     glm::vec3 color{1.0F};
     double illuminanceLux = 1.0;
+
+    bool operator==(const DirectionalLight&) const = default;
 };
 
 }  // namespace ribalta

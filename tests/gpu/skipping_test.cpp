@@ -1,6 +1,7 @@
 // The frame plan held against what OpenGL was really asked for: what a frame does not need is not
 // made, built or drawn.
 #include <cmath>
+#include <functional>
 
 #include "gl/counters.h"
 #include "gpu_test.h"
@@ -163,6 +164,7 @@ TEST_F(Skipping, DrawCallsAreWhatThePlanSays) {
             settings_.beams.method = method;
             settings_.display = display;
             for (int frame = 0; frame < 2; ++frame) {
+                renderer.redrawNextFrame();
                 const std::uint64_t before = glCounters().drawCalls;
                 const FramePlan& plan = renderer.draw(camera_, settings_);
                 EXPECT_EQ(glCounters().drawCalls - before, plannedDrawCalls(plan))
@@ -181,6 +183,7 @@ TEST_F(Skipping, TheSecondFrameMakesNothingNew) {
     Renderer renderer(scene_);
     renderer.draw(camera_, settings_);
     const Frame3 first = readBack(renderer);
+    renderer.redrawNextFrame();
     const GlCounters before = glCounters();
     const Live liveBefore;
     renderer.draw(camera_, settings_);
@@ -196,6 +199,83 @@ TEST_F(Skipping, TheSecondFrameMakesNothingNew) {
     EXPECT_EQ(liveAfter.buffers, liveBefore.buffers);
     // And is the same picture.
     EXPECT_EQ(readBack(renderer).image.values, first.image.values);
+}
+
+TEST_F(Skipping, AFrameInWhichNothingChangedDrawsNothing) {
+    settings_.display = true;
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    renderer.takeTimes();
+    const Frame3 first = readBack(renderer);
+    const std::uint64_t samples = renderer.lastPlan().beamSamples();
+    EXPECT_GT(samples, 0U);
+    for (int frame = 0; frame < 3; ++frame) {
+        const GlCounters before = glCounters();
+        const FramePlan& plan = renderer.draw(camera_, settings_);
+        const GlCounters after = glCounters();
+        EXPECT_EQ(plan.describe(), "kept");
+        EXPECT_EQ(plan.beamSamples(), 0U);
+        EXPECT_EQ(plan.shadowMapsKept, 1);
+        EXPECT_EQ(after.drawCalls, before.drawCalls);
+        EXPECT_EQ(after.texturesMade, before.texturesMade);
+        EXPECT_EQ(after.bytesAllocated, before.bytesAllocated);
+        EXPECT_TRUE(renderer.takeTimes().empty());
+        EXPECT_EQ(readBack(renderer).image.values, first.image.values);
+        EXPECT_TRUE(renderer.ev100().has_value());
+    }
+    // Asked to, it draws the same again: the passes, or the shadow maps as well.
+    renderer.redrawNextFrame();
+    EXPECT_EQ(renderer.draw(camera_, settings_).describe(), "forward beams[1] exposure tonemap");
+    EXPECT_EQ(renderer.draw(camera_, settings_).describe(), "kept");
+    renderer.forget();
+    EXPECT_EQ(renderer.draw(camera_, settings_).describe(),
+              "shadow_map[1] forward beams[1] exposure tonemap");
+    EXPECT_EQ(readBack(renderer).image.values, first.image.values);
+}
+
+TEST_F(Skipping, WhateverChangesIsDrawn) {
+    scene_.pointLights.push_back({"point", -1, {2, 3, 2}, glm::vec3(1.0F), 20.0, 30.0});
+    scene_.directionalLights.push_back({"sun", -1, {0, -1, 0}, glm::vec3(1.0F), 5.0});
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    const std::vector<std::function<void()>> changes = {
+        [&] { camera_.frame.position.x += 0.1; },
+        [&] {
+            camera_.lens = PerspectiveLens{0.7, std::nullopt};
+        },
+        [&] { camera_.nearMetres = 6.0; },
+        [&] { camera_.farMetres = 9.0; },
+        [&] { settings_.width = 40; },
+        [&] { settings_.haze.scatteringPerMetre = 0.06; },
+        [&] { settings_.haze.absorptionPerMetre = 0.01; },
+        [&] { settings_.haze.phase.k = 1.0; },
+        [&] { settings_.haze.phase.kind = PhaseFunction::Kind::kIsotropic; },
+        [&] { settings_.beams.planes = 9; },
+        [&] { settings_.beams.method = BeamMethod::kPlanes; },
+        [&] { settings_.ambientLux = 2.0; },
+        [&] { scene_.spotLights[0].frame.position.y += 0.1; },
+        [&] { scene_.spotLights[0].color.x = 0.5F; },
+        [&] { scene_.spotLights[0].intensityCandela = 900.0; },
+        [&] { scene_.spotLights[0].innerConeAngle = 0.1; },
+        [&] { scene_.spotLights[0].outerConeAngle = 0.2; },
+        [&] { scene_.spotLights[0].rangeMetres = 20.0; },
+        [&] { scene_.spotLights[0].beamShape = BeamShape::kPyramid; },
+        [&] { scene_.pointLights[0].intensityCandela = 30.0; },
+        [&] { scene_.directionalLights[0].illuminanceLux = 6.0; },
+        [&] {
+            moveNode(scene_, 1, {0.1, 0.0, 0.0});
+        }};
+    Frame3 before = readBack(renderer);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        changes[i]();
+        EXPECT_FALSE(renderer.draw(camera_, settings_).kept) << "change " << i;
+        const Frame3 after = readBack(renderer);
+        EXPECT_NE(after.image.values, before.image.values) << "change " << i;
+        EXPECT_TRUE(renderer.draw(camera_, settings_).kept) << "change " << i;
+        before = after;
+    }
+    settings_.display = true;
+    EXPECT_FALSE(renderer.draw(camera_, settings_).kept);
 }
 
 TEST_F(Skipping, CountersAgreeWithOpenGl) {

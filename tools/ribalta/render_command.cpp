@@ -112,6 +112,8 @@ RenderStats drawFrames(Renderer& renderer, const Camera& camera, const FrameSett
     for (int i = 0; i < repeat; ++i) {
         if (redraw) {
             renderer.forget();
+        } else {
+            renderer.redrawNextFrame();
         }
         const Clock::time_point start = Clock::now();
         const FramePlan& plan = renderer.draw(camera, settings);
