@@ -22,6 +22,7 @@ using glm::clamp;
 using glm::cross;
 using glm::dot;
 using glm::exp;
+using glm::log2;
 using glm::max;
 using glm::min;
 using glm::mix;
@@ -42,6 +43,7 @@ using vec3 = glm::dvec3;
 #include "lib/beam_geometry.glsl"
 #include "lib/brdf.glsl"
 #include "lib/tonemap.glsl"
+#include "lib/auto_exposure.glsl"
 // clang-format on
 #undef OUT
 #undef float

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/progress.h"
+#include "compare_command.h"
 #include "inspect_command.h"
 #include "process.h"
 #include "render_command.h"
@@ -70,6 +71,7 @@ int run(int argc, char** argv) {
     app.footer(kExitCodes);
     ribalta::addRenderCommand(app);
     ribalta::addInspectCommand(app);
+    ribalta::addCompareCommand(app);
     if (const char* const empty = findEmptyValue(argc, argv)) {
         return fail(std::string(empty) + " has no value; see ribalta --help", kUsage);
     }
