@@ -1,23 +1,18 @@
 // The exact answer for light scattered once out of spot beams along a ray: double precision,
-// adaptive, slow. Knows neither pictures nor geometry; what blocks light is asked of the caller.
+// adaptive. Knows neither pictures nor geometry; what blocks light is asked of the caller.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 
 #include <glm/glm.hpp>
 
 #include "image/image.h"
-#include "reference/adaptive_integral.h"
+#include "reference/beam_visibility.h"
 #include "scene/haze.h"
 #include "scene/light.h"
 
 namespace ribalta {
-
-/// Whether light of the lamp reaches a point in the world (metres). Asked from several threads at
-/// once where along() is.
-using LampVisibility = std::function<bool(const SpotLight& lamp, const glm::dvec3& point)>;
 
 /// What the eye looks along, in the world.
 struct BeamRay {
@@ -27,35 +22,36 @@ struct BeamRay {
     double last = 0.0;                     ///< metres from the origin: the surface, or infinity
 };
 
-/// How exact a beam is asked to be.
-struct BeamAccuracy {
-    IntegralAccuracy integral;  ///< of each lamp's part, in cd/m2
-    /// Points of a ray at which a lamp's visibility is asked, half of them even in distance, half
-    /// in the lamp's projection; changes between neighbours are then found exactly. A lit or dark
-    /// stretch that falls between two neighbours is not seen.
-    int visibilityProbes = 128;
+/// What reaches the eye along a ray.
+struct BeamLight {
+    glm::dvec3 value{0.0};  ///< cd/m2 per linear sRGB channel
+    double error = 0.0;     ///< estimate for the worst channel, cd/m2; on the safe side
+    int evaluations = 0;    ///< of the scattering integrand
 };
 
 /// Sums the beams of a set of lamps in even haze. Cone angles are kept within kMinConeAngle and
 /// kMaxConeAngle, beams begin at the lens plane (shaders/lib/spot_light.glsl).
+///
+/// The integrand is a smooth function times the light map. The ray is cut where visibility changes
+/// and where the cone's falloff begins; between the cuts the smooth function is replaced by
+/// polynomials, as many as the accuracy asks for, and their products with the light map are
+/// integrated cell by cell of its bilinear filter, where they are polynomials too.
 class BeamIntegrator {
   public:
     /// Copies the lamps and decodes the light maps they use out of `images` (Scene::images; a
-    /// lamp's LightMap::image must be in range). An empty `isVisible` blocks no light.
+    /// lamp's LightMap::image must be in range). Without `visibility` nothing blocks light.
+    /// `relativeError` is asked of each lamp's part, 1e-12..0.1.
     BeamIntegrator(std::span<const SpotLight> lamps, std::span<const Image> images,
-                   const Haze& haze, LampVisibility isVisible, const BeamAccuracy& accuracy = {});
+                   const Haze& haze, std::unique_ptr<BeamVisibility> visibility,
+                   double relativeError = 1e-6);
     ~BeamIntegrator();
     BeamIntegrator(BeamIntegrator&&) noexcept;
     BeamIntegrator& operator=(BeamIntegrator&&) noexcept;
 
-    /// Radiance in cd/m2 per linear sRGB channel of all lamps together, with an estimate of its
-    /// error. Takes some 15 evaluations for every texel of a light map that the ray crosses. May be
-    /// called from several threads at once.
-    Integral along(const BeamRay& ray) const;
+    /// All lamps together. May be called from several threads at once.
+    BeamLight along(const BeamRay& ray) const;
 
   private:
-    struct Lamp;
-    struct Segment;
     struct State;
     std::unique_ptr<State> state_;
 };

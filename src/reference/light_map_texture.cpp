@@ -33,11 +33,26 @@ LightMapTexture::LightMapTexture(const Image& image) : width_(image.width), heig
                 texels_[i][c] = linear[std::to_integer<std::size_t>(image.pixels[4 * i + c])];
             }
         }
+        findDark();
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
         std::memcpy(&texels_[i], image.pixels.data() + i * image.bytesPerPixel(),
                     sizeof(glm::vec3));
+    }
+    findDark();
+}
+
+void LightMapTexture::findDark() {
+    dark_.reserve((std::size_t(width_) + 1) * (std::size_t(height_) + 1));
+    for (int row = -1; row < height_; ++row) {
+        for (int column = -1; column < width_; ++column) {
+            bool dark = true;
+            for (const glm::vec4* corner : cell(column, row).corners) {
+                dark = dark && glm::vec3(*corner) == glm::vec3(0.0F);
+            }
+            dark_.push_back(dark ? 1 : 0);
+        }
     }
 }
 
@@ -46,13 +61,10 @@ glm::dvec3 LightMapTexture::at(const glm::dvec2& uv) const {
     const double y = glm::clamp(uv.y * height_ - 0.5, 0.0, height_ - 1.0);
     const int left = int(x);
     const int top = int(y);
-    const int right = std::min(left + 1, width_ - 1);
-    const int bottom = std::min(top + 1, height_ - 1);
-    const auto texel = [&](int column, int row) {
-        return glm::dvec3(texels_[std::size_t(row) * std::size_t(width_) + std::size_t(column)]);
-    };
-    const glm::dvec3 upper = glm::mix(texel(left, top), texel(right, top), x - left);
-    const glm::dvec3 lower = glm::mix(texel(left, bottom), texel(right, bottom), x - left);
+    const Cell around = cell(left, top);
+    const auto corner = [&](std::size_t i) { return glm::dvec3(*around.corners[i]); };
+    const glm::dvec3 upper = glm::mix(corner(0), corner(1), x - left);
+    const glm::dvec3 lower = glm::mix(corner(2), corner(3), x - left);
     return glm::mix(upper, lower, y - top);
 }
 

@@ -21,10 +21,9 @@ double openEnd(const glm::dvec3& /*origin*/, const glm::dvec3& /*direction*/) {
 Picture referenceBeams(const Scene& scene, const Camera& camera, const FrameSettings& settings,
                        const RayEnd& end, const LampVisibility& isVisible,
                        double relativeAccuracy) {
-    BeamAccuracy accuracy;
-    accuracy.integral.relative = relativeAccuracy;
-    const BeamIntegrator integrator(scene.spotLights, scene.images, settings.haze, isVisible,
-                                    accuracy);
+    const BeamIntegrator integrator(
+        scene.spotLights, scene.images, settings.haze,
+        isVisible ? std::make_unique<ProbedVisibility>(isVisible) : nullptr, relativeAccuracy);
     Picture picture{
         settings.width, settings.height,
         std::vector<glm::dvec3>(std::size_t(settings.width) * std::size_t(settings.height))};

@@ -55,10 +55,12 @@ BeamRay across(double z, double height, double last = 40.0) {
     return {{-20.0, height, -z}, {1.0, 0.0, 0.0}, 0.0, last};
 }
 
-Integral integrate(const SpotLight& lamp, const Haze& haze, const BeamRay& ray,
-                   const LampVisibility& isVisible = nullptr, const BeamAccuracy& accuracy = {},
-                   std::span<const Image> images = {}) {
-    return BeamIntegrator({&lamp, 1}, images, haze, isVisible, accuracy).along(ray);
+BeamLight integrate(const SpotLight& lamp, const Haze& haze, const BeamRay& ray,
+                    const LampVisibility& isVisible = nullptr, double relativeError = 1e-6,
+                    std::span<const Image> images = {}) {
+    auto visibility = isVisible ? std::make_unique<ProbedVisibility>(isVisible) : nullptr;
+    return BeamIntegrator({&lamp, 1}, images, haze, std::move(visibility), relativeError)
+        .along(ray);
 }
 
 TEST(IntegrateBeams, AgreesWithSunAcrossTheBeam) {
@@ -72,7 +74,7 @@ TEST(IntegrateBeams, AgreesWithSunAcrossTheBeam) {
                 const double h = std::hypot(z, height);
                 const double exact =
                     1000.0 * isotropicPointSource(h, 20.0, -z, z, 0.05, extinction);
-                const Integral result = integrate(evenLamp(), haze, across(z, height));
+                const BeamLight result = integrate(evenLamp(), haze, across(z, height));
                 EXPECT_NEAR(result.value.x, exact, 1e-6 * exact) << "z " << z;
                 EXPECT_NEAR(result.value.y, 0.5 * exact, 1e-6 * exact);
                 EXPECT_NEAR(result.value.z, 0.25 * exact, 1e-6 * exact);
@@ -95,7 +97,7 @@ TEST(IntegrateBeams, AgreesWithSunFromInsideTheBeam) {
             const double h = glm::length(glm::cross(eye, direction));
             const double exact =
                 1000.0 * isotropicPointSource(h, nearest, -nearest, length - nearest, 0.04, 0.1);
-            const Integral result = integrate(evenLamp(), haze, {eye, direction, 0.0, length});
+            const BeamLight result = integrate(evenLamp(), haze, {eye, direction, 0.0, length});
             EXPECT_NEAR(result.value.x, exact, 1e-6 * exact) << "h " << h;
         }
     }
@@ -134,7 +136,7 @@ TEST(IntegrateBeams, AHalfHiddenSlabIsTheClosedFormOfTheOtherHalf) {
     const LampVisibility wall = [](const SpotLight&, const glm::dvec3& p) { return p.x < 0.37; };
     for (const double z : {1.0, 8.0}) {
         const double exact = 1000.0 * isotropicPointSource(z, 20.0, -z, 0.37, 0.05, 0.15);
-        const Integral result = integrate(evenLamp(), haze, across(z, 0.0), wall);
+        const BeamLight result = integrate(evenLamp(), haze, across(z, 0.0), wall);
         EXPECT_NEAR(result.value.x, exact, 1e-6 * exact) << "z " << z;
     }
     const LampVisibility slats = [](const SpotLight&, const glm::dvec3& p) {
@@ -252,7 +254,8 @@ TEST(IntegrateBeams, AgreesWithTheDefinitionOfALightMap) {
         lamp.lightMap = LightMap{0, rotation};
         for (const BeamRay& ray : kConeRays) {
             const glm::dvec3 expected = sumByDefinition(lamp, haze, ray, &map, nullptr);
-            expectClose(integrate(lamp, haze, ray, nullptr, {}, {&image, 1}).value, expected, 2e-5);
+            expectClose(integrate(lamp, haze, ray, nullptr, 1e-6, {&image, 1}).value, expected,
+                        2e-5);
         }
     }
 }
@@ -269,13 +272,12 @@ TEST(IntegrateBeams, ItsErrorEstimateIsHonest) {
         const glm::dvec3 aside(offset(random), offset(random), offset(random));
         ray.direction = glm::normalize(ray.direction + 0.15 * aside);
         const auto with = [&](double relative) {
-            const BeamAccuracy accuracy{.integral = {.relative = relative}};
-            return integrate(lamp, haze, ray, nullptr, accuracy, {&image, 1});
+            return integrate(lamp, haze, ray, nullptr, relative, {&image, 1});
         };
-        const Integral finest = with(1e-11);
+        const BeamLight finest = with(1e-11);
         const double largest = std::max({finest.value.x, finest.value.y, finest.value.z});
         for (const double relative : {1e-2, 1e-4, 1e-6, 1e-8}) {
-            const Integral result = with(relative);
+            const BeamLight result = with(relative);
             EXPECT_LE(result.error, 1.1 * relative * largest) << "ray " << i;
             for (int c = 0; c < 3; ++c) {
                 EXPECT_LE(std::abs(result.value[c] - finest.value[c]),
@@ -290,9 +292,9 @@ TEST(IntegrateBeams, LampsAddUp) {
     const Haze haze = makeHaze(0.08, 0.02, PhaseFunction::Kind::kRayleigh);
     const SpotLight lamps[] = {coneLamp(), evenLamp()};
     const BeamRay ray = kConeRays[0];
-    const Integral both = BeamIntegrator(lamps, {}, haze, nullptr).along(ray);
-    const Integral first = integrate(lamps[0], haze, ray);
-    const Integral second = integrate(lamps[1], haze, ray);
+    const BeamLight both = BeamIntegrator(lamps, {}, haze, nullptr).along(ray);
+    const BeamLight first = integrate(lamps[0], haze, ray);
+    const BeamLight second = integrate(lamps[1], haze, ray);
     expectClose(both.value, first.value + second.value, 1e-14);
     EXPECT_EQ(both.evaluations, first.evaluations + second.evaluations);
 }
