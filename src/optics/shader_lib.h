@@ -42,6 +42,7 @@ using vec3 = glm::dvec3;
 #include "lib/beam_radiance.glsl"
 #include "lib/beam_geometry.glsl"
 #include "lib/brdf.glsl"
+#include "lib/shadow_projection.glsl"
 #include "lib/tonemap.glsl"
 #include "lib/auto_exposure.glsl"
 // clang-format on

@@ -223,6 +223,10 @@ BeamIntegrator::~BeamIntegrator() = default;
 BeamIntegrator::BeamIntegrator(BeamIntegrator&&) noexcept = default;
 BeamIntegrator& BeamIntegrator::operator=(BeamIntegrator&&) noexcept = default;
 
+std::span<const BeamLamp> BeamIntegrator::lamps() const {
+    return state_->lamps;
+}
+
 BeamLight BeamIntegrator::along(const BeamRay& ray) const {
     BeamLight total;
     if (!(state_->haze.scatteringPerMetre > 0.0)) {

@@ -50,6 +50,8 @@ class BeamIntegrator {
 
     /// All lamps together. May be called from several threads at once.
     BeamLight along(const BeamRay& ray) const;
+    /// Those that give light; BeamLamp::index is into the lamps it was made of.
+    std::span<const BeamLamp> lamps() const;
 
   private:
     struct State;

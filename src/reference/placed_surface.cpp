@@ -1,0 +1,55 @@
+#include "reference/placed_surface.h"
+
+#include <algorithm>
+
+namespace ribalta {
+namespace {
+
+// The adjugate turns normals as the inverse transpose does, and stands a flattened node.
+glm::dmat3 normalMatrix(const glm::dmat3& linear, bool mirrored) {
+    glm::dmat3 normals(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                       glm::cross(linear[0], linear[1]));
+    const double size =
+        std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
+    return normals * (size > 0.0 ? (mirrored ? -1.0 : 1.0) / size : 0.0);
+}
+
+}  // namespace
+
+std::array<glm::dvec3, 3> PlacedSurface::cornerPositions(std::size_t triangle) const {
+    const std::array<std::uint32_t, 3> vertices = corners(triangle);
+    return {position(vertices[0]), position(vertices[1]), position(vertices[2])};
+}
+
+std::vector<PlacedSurface> placeSurfaces(const Scene& scene, const Camera& camera) {
+    static const Material defaultMaterial;
+    std::vector<PlacedSurface> surfaces;
+    for (const Node& node : scene.nodes) {
+        if (node.mesh < 0) {
+            continue;
+        }
+        for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {
+            if (primitive.topology != Topology::kTriangles || primitive.indices.size() < 3) {
+                continue;
+            }
+            PlacedSurface surface;
+            surface.primitive = &primitive;
+            surface.material = primitive.material < 0
+                                   ? &defaultMaterial
+                                   : &scene.materials[std::size_t(primitive.material)];
+            surface.worldFromLocal = node.worldFromLocal;
+            const glm::dmat3 linear(node.worldFromLocal);
+            surface.mirrored = glm::determinant(linear) < 0.0;
+            surface.worldFromNormal = normalMatrix(linear, surface.mirrored);
+            const Bounds bounds = transformed(node.worldFromLocal, primitive.bounds);
+            surface.blendDepth =
+                bounds.isEmpty()
+                    ? 0.0
+                    : glm::dot(camera.frame.forward(), bounds.centre() - camera.frame.position);
+            surfaces.push_back(surface);
+        }
+    }
+    return surfaces;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,222 @@
+#include "reference/reference_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "base/check.h"
+#include "base/parallel_for.h"
+#include "optics/shader_lib.h"
+#include "reference/cast_rays.h"
+#include "reference/integrate_beams.h"
+#include "reference/material_textures.h"
+#include "reference/placed_surface.h"
+#include "reference/shadow_map_visibility.h"
+#include "reference/surface_light.h"
+#include "reference/triangle_shadows.h"
+
+namespace ribalta {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::infinity();
+
+/// The ray through a pixel's centre.
+struct PixelRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;         ///< unit
+    double metresPerDepth = 1.0;  ///< along the ray for one along the view axis
+};
+
+class PixelRays {
+  public:
+    PixelRays(const Camera& camera, int width, int height)
+        : camera_(camera), size_(width, height), half_(viewHalfExtent(camera, width, height)) {}
+
+    /// Rows from the top.
+    PixelRay at(int x, int y) const {
+        const Frame& frame = camera_.frame;
+        const double across = (2.0 * x + 1.0) / size_.x - 1.0;
+        const double up = 1.0 - (2.0 * y + 1.0) / size_.y;
+        const glm::dvec3 aside = across * half_.x * frame.right() + up * half_.y * frame.up();
+        if (camera_.isOrthographic()) {
+            return {frame.position + aside, frame.forward(), 1.0};
+        }
+        const glm::dvec3 unscaled = frame.forward() + aside;
+        const double length = glm::length(unscaled);
+        return {frame.position, unscaled / length, length};
+    }
+
+  private:
+    const Camera& camera_;
+    glm::dvec2 size_;
+    glm::dvec2 half_;
+};
+
+/// The scene's triangles as the eye and the lamps see them.
+struct TracedScene {
+    std::vector<PlacedSurface> surfaces;
+    MaterialTextures textures;
+    RayCaster caster;
+
+    TracedScene(const Scene& scene, const Camera& camera)
+        : surfaces(placeSurfaces(scene, camera)),
+          textures(scene),
+          caster(surfaces, textures, camera.frame.position) {}
+};
+
+/// One frame's work; a row at a time, from any thread.
+class ReferenceFrame {
+  public:
+    ReferenceFrame(const Scene& scene, const ReferenceSettings& settings)
+        : settings_(settings),
+          rays_(settings_.camera, settings.width, settings.height),
+          extinction_(settings.haze.extinctionPerMetre()) {
+        if (settings.drawn == nullptr) {
+            traced_ = std::make_unique<TracedScene>(scene, settings.camera);
+        }
+        integrator_ =
+            std::make_unique<BeamIntegrator>(scene.spotLights, scene.images, settings.haze,
+                                             makeVisibility(), settings.relativeError);
+        if (traced_) {
+            light_ = std::make_unique<SurfaceLight>(scene, integrator_->lamps(), traced_->caster,
+                                                    settings.haze, settings.ambientLux);
+        }
+        const std::size_t pixels = std::size_t(settings.width) * std::size_t(settings.height);
+        picture_.width = settings.width;
+        picture_.height = settings.height;
+        picture_.surfaces.resize(pixels);
+        picture_.beams.resize(pixels);
+        picture_.depths.resize(pixels);
+        errors_.resize(pixels);
+    }
+
+    void drawRow(int y) {
+        Sight sight;
+        for (int x = 0; x < settings_.width; ++x) {
+            const std::size_t pixel =
+                std::size_t(y) * std::size_t(settings_.width) + std::size_t(x);
+            const PixelRay ray = rays_.at(x, y);
+            const double last =
+                traced_ ? traceSurfaces(ray, pixel, sight) : readSurfaces(ray, pixel);
+            const double first = settings_.camera.nearMetres * ray.metresPerDepth;
+            if (first < last) {
+                drawBeams({ray.origin, ray.direction, first, last}, pixel);
+            }
+        }
+    }
+
+    ReferencePicture finish() {
+        double squares = 0.0;
+        for (const double error : errors_) {
+            squares += error * error;
+            picture_.largestError = std::max(picture_.largestError, error);
+        }
+        picture_.rmsError = std::sqrt(squares / double(errors_.size()));
+        return std::move(picture_);
+    }
+
+  private:
+    std::unique_ptr<BeamVisibility> makeVisibility() const {
+        if (traced_) {
+            return std::make_unique<TriangleShadows>(traced_->surfaces, traced_->textures);
+        }
+        return std::make_unique<ShadowMapVisibility>(settings_.drawn->shadowMaps);
+    }
+
+    /// Metres along the ray to where it ends.
+    double traceSurfaces(const PixelRay& ray, std::size_t pixel, Sight& sight) {
+        const double first = settings_.camera.nearMetres * ray.metresPerDepth;
+        const double farthest = settings_.camera.farMetres * ray.metresPerDepth;
+        traced_->caster.look(ray.origin, ray.direction, first, farthest, sight);
+        glm::dvec3 color(0.0);
+        if (sight.opaque) {
+            color = surfaceLight(*sight.opaque, ray).light;
+        }
+        for (const SurfaceHit& hit : sight.blended) {
+            const SeenSurface over = surfaceLight(hit, ray);
+            color = glm::mix(color, over.light, over.alpha);
+        }
+        picture_.surfaces[pixel] = color;
+        picture_.depths[pixel] =
+            sight.opaque ? sight.opaque->distance / ray.metresPerDepth : kNothing;
+        return sight.opaque ? sight.opaque->distance : farthest;
+    }
+
+    struct SeenSurface {
+        glm::dvec3 light;  ///< cd/m2 at the eye
+        double alpha;
+    };
+    SeenSurface surfaceLight(const SurfaceHit& hit, const PixelRay& ray) const {
+        const ShadedPoint point = shadedPoint(traced_->surfaces[hit.surface], traced_->textures,
+                                              hit, ray.origin, ray.direction);
+        return {light_->radiance(point) * shader::transmittance(extinction_, hit.distance),
+                glm::clamp(point.alpha, 0.0, 1.0)};
+    }
+
+    double readSurfaces(const PixelRay& ray, std::size_t pixel) {
+        picture_.surfaces[pixel] = glm::dvec3(settings_.drawn->surfaces[pixel]);
+        picture_.depths[pixel] = double(settings_.drawn->depths[pixel]);
+        return std::min(picture_.depths[pixel], settings_.camera.farMetres) * ray.metresPerDepth;
+    }
+
+    void drawBeams(const BeamRay& ray, std::size_t pixel) {
+        const BeamLight light = integrator_->along(ray);
+        picture_.beams[pixel] = light.value;
+        const double largest = std::max({light.value.x, light.value.y, light.value.z});
+        errors_[pixel] = largest > 0.0 ? light.error / largest : 0.0;
+    }
+
+    ReferenceSettings settings_;
+    PixelRays rays_;
+    double extinction_;
+    std::unique_ptr<TracedScene> traced_;
+    std::unique_ptr<BeamIntegrator> integrator_;
+    std::unique_ptr<SurfaceLight> light_;
+    ReferencePicture picture_;
+    std::vector<double> errors_;  ///< relative, by pixel
+};
+
+void checkDrawn(const Scene& scene, const ReferenceSettings& settings) {
+    if (settings.drawn == nullptr) {
+        return;
+    }
+    const std::size_t pixels = std::size_t(settings.width) * std::size_t(settings.height);
+    CHECK(settings.drawn->shadowMaps.size() == scene.spotLights.size());
+    CHECK(settings.drawn->surfaces.size() == pixels && settings.drawn->depths.size() == pixels);
+    for (const std::optional<DrawnShadowMap>& map : settings.drawn->shadowMaps) {
+        CHECK(!map || map->depths.size() == std::size_t(map->side) * std::size_t(map->side));
+    }
+}
+
+}  // namespace
+
+ReferencePicture drawReference(const Scene& scene, const ReferenceSettings& settings,
+                               Progress* progress) {
+    CHECK(settings.width > 0 && settings.height > 0);
+    checkDrawn(scene, settings);
+    ReferenceFrame frame(scene, settings);
+    parallelFor(std::size_t(settings.height), [&](std::size_t y) {
+        frame.drawRow(int(y));
+        if (progress != nullptr) {
+            progress->step();
+        }
+    });
+    return frame.finish();
+}
+
+std::size_t countUnseenPrimitives(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Node& node : scene.nodes) {
+        if (node.mesh >= 0) {
+            const auto& primitives = scene.meshes[std::size_t(node.mesh)].primitives;
+            count += std::size_t(
+                std::count_if(primitives.begin(), primitives.end(), [](const Primitive& primitive) {
+                    return primitive.topology != Topology::kTriangles && !primitive.indices.empty();
+                }));
+        }
+    }
+    return count;
+}
+
+}  // namespace ribalta

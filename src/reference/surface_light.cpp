@@ -1,0 +1,204 @@
+#include "reference/surface_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "optics/shader_lib.h"
+
+namespace ribalta {
+namespace {
+
+using Meaning = MaterialTextures::Meaning;
+
+/// The normal that a normal map bends, `outside` being the front side's.
+glm::dvec3 bentNormal(const glm::dvec3& normal, const glm::dvec3& outside,
+                      const glm::dvec3& surfaceTangent, double handedness, glm::dvec3 bump,
+                      double scale) {
+    bump.x *= scale;
+    bump.y *= scale;
+    glm::dvec3 tangent = surfaceTangent - normal * glm::dot(normal, surfaceTangent);
+    if (!(glm::dot(tangent, tangent) > 1e-12) || !(glm::dot(bump, bump) > 0.0)) {
+        return normal;
+    }
+    tangent = glm::normalize(tangent);
+    const glm::dvec3 bitangent = glm::cross(outside, tangent) * handedness;
+    return glm::normalize(bump.x * tangent + bump.y * bitangent + bump.z * normal);
+}
+
+glm::dvec3 shadingNormal(const PlacedSurface& surface, const MaterialTextures& textures,
+                         const SurfaceHit& hit, const glm::dvec3& geometric) {
+    const Primitive& primitive = *surface.primitive;
+    const auto corners = surface.corners(hit.triangle);
+    glm::dvec3 normal = geometric;
+    if (!primitive.normals.empty()) {
+        const glm::dvec3 given =
+            surface.worldFromNormal * blended(primitive.normals, corners, hit.weights);
+        if (glm::dot(given, given) > 0.0) {
+            normal = glm::normalize(given) * (hit.front ? 1.0 : -1.0);
+        }
+    }
+    const Material& material = *surface.material;
+    if (material.normalTexture && !primitive.tangents.empty()) {
+        const glm::dvec4 tangent = blended(primitive.tangents, corners, hit.weights);
+        const glm::dvec3 bump =
+            2.0 * glm::dvec3(textures.sample(*material.normalTexture, Meaning::kData, surface,
+                                             hit.triangle, hit.weights)) -
+            1.0;
+        normal = bentNormal(normal, hit.front ? normal : -normal,
+                            glm::dmat3(surface.worldFromLocal) * glm::dvec3(tangent), tangent.w,
+                            bump, material.normalScale);
+    }
+    return normal;
+}
+
+/// What the surface sends to the eye of one candela-lux from a direction, cosine included.
+glm::dvec3 reflected(const ShadedPoint& point, const glm::dvec3& towardsLamp) {
+    const double nDotL = glm::dot(point.normal, towardsLamp);
+    if (nDotL <= 0.0) {
+        return glm::dvec3(0.0);
+    }
+    // A shading normal may look away from the eye near a silhouette; light it as if edge on.
+    const double nDotV = std::max(glm::dot(point.normal, point.towardsEye), 1e-4);
+    const glm::dvec3 halfway = glm::normalize(towardsLamp + point.towardsEye);
+    return nDotL * shader::metallicRoughnessBrdf(
+                       point.baseColor, point.metallic, point.roughness, nDotL, nDotV,
+                       glm::clamp(glm::dot(point.normal, halfway), 0.0, 1.0),
+                       glm::clamp(glm::dot(point.towardsEye, halfway), 0.0, 1.0));
+}
+
+/// Even light from all around, a little less from below.
+glm::dvec3 ambientLight(const ShadedPoint& point, double lux) {
+    const glm::dvec3 specular = glm::mix(glm::dvec3(0.04), point.baseColor, point.metallic);
+    const glm::dvec3 albedo = point.baseColor * (1.0 - point.metallic) + specular;
+    const double fromAbove = 0.75 + 0.25 * point.normal.y;
+    return albedo * (shader::kInversePi * lux * fromAbove * point.occlusion);
+}
+
+}  // namespace
+
+ShadedPoint shadedPoint(const PlacedSurface& surface, const MaterialTextures& textures,
+                        const SurfaceHit& hit, const glm::dvec3& origin,
+                        const glm::dvec3& direction) {
+    const Material& material = *surface.material;
+    const auto sample = [&](const std::optional<TextureSlot>& slot, Meaning meaning) {
+        return textures.sample(*slot, meaning, surface, hit.triangle, hit.weights);
+    };
+    ShadedPoint point;
+    point.position = origin + hit.distance * direction;
+    point.towardsEye = -direction;
+    point.baseColor = glm::dvec3(material.baseColor);
+    const std::vector<glm::vec4>& colors = surface.primitive->colors;
+    if (!colors.empty()) {
+        const glm::dvec4 color = blended(colors, surface.corners(hit.triangle), hit.weights);
+        point.baseColor *= glm::clamp(glm::dvec3(color), 0.0, 1.0);
+    }
+    point.alpha = textures.alpha(surface, hit.triangle, hit.weights);
+    point.metallic = material.metallic;
+    point.roughness = material.roughness;
+    point.emission = glm::dvec3(material.emission);
+    point.unlit = material.unlit;
+    if (material.baseColorTexture) {
+        point.baseColor *= glm::dvec3(sample(material.baseColorTexture, Meaning::kColors));
+    }
+    if (material.metallicRoughnessTexture) {
+        const glm::dvec4 texel = sample(material.metallicRoughnessTexture, Meaning::kData);
+        point.metallic *= texel.z;
+        point.roughness *= texel.y;
+    }
+    if (material.occlusionTexture) {
+        const double occlusion = sample(material.occlusionTexture, Meaning::kData).x;
+        point.occlusion = 1.0 + double(material.occlusionStrength) * (occlusion - 1.0);
+    }
+    if (material.emissiveTexture) {
+        point.emission *= glm::dvec3(sample(material.emissiveTexture, Meaning::kColors));
+    }
+
+    const auto corners = surface.cornerPositions(hit.triangle);
+    const glm::dvec3 plane = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    point.geometric = glm::normalize(plane);
+    if (glm::dot(point.geometric, point.towardsEye) < 0.0) {
+        point.geometric = -point.geometric;
+    }
+    point.normal = shadingNormal(surface, textures, hit, point.geometric);
+    return point;
+}
+
+SurfaceLight::SurfaceLight(const Scene& scene, std::span<const BeamLamp> spots,
+                           const RayCaster& caster, const Haze& haze, double ambientLux)
+    : scene_(scene),
+      spots_(spots),
+      caster_(caster),
+      extinction_(haze.extinctionPerMetre()),
+      ambientLux_(ambientLux) {}
+
+glm::dvec3 SurfaceLight::radiance(const ShadedPoint& point) const {
+    if (point.unlit) {
+        return point.baseColor;
+    }
+    glm::dvec3 sum = point.emission + ambientLight(point, ambientLux_);
+    for (const BeamLamp& lamp : spots_) {
+        sum += fromSpot(lamp, point);
+    }
+    for (const PointLight& lamp : scene_.pointLights) {
+        sum += fromPoint(lamp, point);
+    }
+    for (const DirectionalLight& lamp : scene_.directionalLights) {
+        sum += reflected(point, -lamp.direction) * glm::dvec3(lamp.color) * lamp.illuminanceLux;
+    }
+    return sum;
+}
+
+glm::dvec3 SurfaceLight::fromSpot(const BeamLamp& lamp, const ShadedPoint& point) const {
+    const glm::dvec3 fromLamp = point.position - lamp.light.frame.position;
+    const glm::dvec3 place = lamp.toBeam(fromLamp);
+    if (place.z <= shader::kLensMetres) {
+        return glm::dvec3(0.0);
+    }
+    const double distance = glm::length(place);
+    const double inverseTan = lamp.cosOuter / lamp.sinOuter;
+    double falloff = 0.0;
+    if (lamp.light.beamShape == BeamShape::kPyramid) {
+        falloff = std::max(std::abs(place.x), std::abs(place.y)) * inverseTan < place.z ? 1.0 : 0.0;
+    } else {
+        falloff = shader::coneFalloff(place.z / distance, lamp.cosInner, lamp.cosOuter);
+    }
+    falloff *= shader::rangeWindow(distance, lamp.inverseRange) * shader::inverseSquare(distance) *
+               shader::transmittance(extinction_, distance);
+    if (!(falloff > 0.0)) {
+        return glm::dvec3(0.0);
+    }
+    glm::dvec3 light = reflected(point, -fromLamp / distance) * lamp.candela * falloff;
+    if (lamp.lightMap != nullptr) {
+        light *= lamp.lightMap->at(lamp.lightMapUv(glm::dvec2(place) / place.z));
+    }
+    if (light == glm::dvec3(0.0) || isShadowed(lamp, point, place.z)) {
+        return glm::dvec3(0.0);
+    }
+    return light;
+}
+
+// Lit from the side that faces the lamp, whichever the eye sees; up to the lens plane, before which
+// nothing casts.
+bool SurfaceLight::isShadowed(const BeamLamp& lamp, const ShadedPoint& point, double depth) const {
+    const glm::dvec3 way = lamp.light.frame.position - point.position;
+    const double side = glm::dot(way, point.geometric) < 0.0 ? -1.0 : 1.0;
+    const double off = 1e-9 * (glm::length(way) + glm::length(point.position));
+    const glm::dvec3 from = point.position + (side * off) * point.geometric;
+    return caster_.isBlocked(from, from + (1.0 - shader::kLensMetres / depth) * way);
+}
+
+glm::dvec3 SurfaceLight::fromPoint(const PointLight& lamp, const ShadedPoint& point) const {
+    const glm::dvec3 way = lamp.position - point.position;
+    const double distance = glm::length(way);
+    if (!(distance > 0.0)) {
+        return glm::dvec3(0.0);
+    }
+    const double attenuation = shader::rangeWindow(distance, 1.0 / lamp.rangeMetres) *
+                               shader::inverseSquare(distance) *
+                               shader::transmittance(extinction_, distance);
+    return reflected(point, way / distance) * glm::dvec3(lamp.color) *
+           (lamp.intensityCandela * attenuation);
+}
+
+}  // namespace ribalta
