@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct FloatImage {
     int height = 0;
     std::vector<std::string> channels;  ///< e.g. R, G, B, beams.R, Z
     std::vector<float> values;          ///< rows from the top, channels interleaved
+    /// What else a picture says of itself, by name; an EXR keeps it. Printable text.
+    std::map<std::string, std::string> facts{};
 
     /// Index of a channel by name, or -1.
     int channel(const std::string& name) const;

@@ -4,11 +4,13 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "image/codec/decode.h"
+#include "image/codec/encode.h"
 
 namespace ribalta {
 namespace {
@@ -263,6 +265,13 @@ FloatImage decodeFloatWithOiio(std::span<const std::byte> encoded, ImageFormat f
     image.height = spec.height;
     image.channels = spec.channelnames;
     image.values = readChannels<float>(picture, TypeDesc::FLOAT, 0, spec.nchannels, limits);
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        const std::string name = attribute.name().string();
+        if (attribute.type() == TypeDesc::STRING && name.starts_with(kFactPrefix)) {
+            image.facts.emplace(name.substr(std::string_view(kFactPrefix).size()),
+                                attribute.get_string());
+        }
+    }
     return image;
 }
 

@@ -10,6 +10,10 @@
 
 namespace ribalta {
 
+/// Before the names of FloatImage::facts as attributes of an EXR, apart from what other programs
+/// and the format itself have there.
+inline constexpr const char* kFactPrefix = "ribalta/";
+
 /// 8 bits a channel, marked as sRGB.
 std::vector<unsigned char> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
 

@@ -43,6 +43,9 @@ std::vector<unsigned char> encodeExr(const FloatImage& image) {
                    TypeDesc::FLOAT);
     spec.channelnames = image.channels;
     spec.attribute("compression", "zip");
+    for (const auto& [name, text] : image.facts) {
+        spec.attribute(kFactPrefix + name, text);
+    }
     return encode("openexr", spec, TypeDesc::FLOAT, image.values.data());
 }
 
