@@ -33,6 +33,10 @@ Terminal& terminal() {
     return instance;
 }
 
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 bool onTerminal() {
     static const bool yes = isatty(STDERR_FILENO) != 0;
     return yes;
@@ -73,6 +77,10 @@ Progress::~Progress() {
     std::fflush(stderr);
 }
 
+void Progress::expectLeft(double seconds) {
+    endSeconds_ = secondsSince(start_) + seconds;
+}
+
 // Called with the terminal's mutex held.
 void Progress::show() const {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start_);
@@ -81,6 +89,11 @@ void Progress::show() const {
         std::fprintf(stderr, "  %zu/%zu", done_.load(), total_);
     }
     std::fprintf(stderr, "  %lld s", static_cast<long long>(seconds.count()));
+    if (endSeconds_ >= 0.0) {
+        const double left = std::max(0.0, endSeconds_ - secondsSince(start_));
+        std::fprintf(stderr, left < 100.0 ? ", about %.0f s left" : ", about %.0f min left",
+                     left < 100.0 ? left : left / 60.0);
+    }
     std::fflush(stderr);
     terminal().lineShown = true;
 }

@@ -9,8 +9,9 @@
 
 namespace ribalta {
 
-/// Shows "what  37/128  4 s" in place while it lives, from the first second on. Where several live,
-/// the newest is shown. step() may be called from any thread.
+/// Shows "what  37/128  4 s" in place while it lives, from the first second on, and how much time
+/// is left where that was told. Where several live, the newest is shown. step() and expectLeft()
+/// may be called from any thread.
 class Progress {
   public:
     /// `total` steps of work; zero where there are none to count.
@@ -20,6 +21,8 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
 
     void step() { ++done_; }
+    /// How long the rest will probably take from now on; counted down until it is said anew.
+    void expectLeft(double seconds);
 
     /// Writes a line to stderr, in the place of a progress line where one is on the terminal.
     static void writeLine(const std::string& line);
@@ -30,6 +33,7 @@ class Progress {
     std::string what_;
     std::size_t total_;
     std::atomic<std::size_t> done_ = 0;
+    std::atomic<double> endSeconds_ = -1.0;  ///< expected, since the start; below 0: not known
     std::chrono::steady_clock::time_point start_;
     std::jthread ticker_;  ///< only on a terminal: work that takes long need not call step()
 };

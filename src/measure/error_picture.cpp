@@ -26,6 +26,25 @@ bool isShown(const glm::dvec3& linear) {
            glm::all(glm::lessThanEqual(linear, glm::dvec3(1.0 + 1e-6)));
 }
 
+// A picture of `picture`'s pixels joined in squares until it is at most `maxWidth` wide;
+// color(left, top, right, bottom) gives a square's display colour.
+template <typename Color>
+BytePicture shrink(const RgbPicture& picture, int maxWidth, const Color& color) {
+    const int side = (picture.width + maxWidth - 1) / maxWidth;
+    BytePicture result{(picture.width + side - 1) / side, (picture.height + side - 1) / side, {}};
+    for (int y = 0; y < picture.height; y += side) {
+        for (int x = 0; x < picture.width; x += side) {
+            const glm::dvec3 value =
+                color(x, y, std::min(x + side, picture.width), std::min(y + side, picture.height));
+            for (int c = 0; c < 3; ++c) {
+                result.rgb.push_back(
+                    std::uint8_t(std::lround(255.0 * std::clamp(value[c], 0.0, 1.0))));
+            }
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 glm::dvec3 errorColor(double error) {
@@ -41,25 +60,37 @@ glm::dvec3 errorColor(double error) {
     return shader::srgbEncode(linear);
 }
 
-std::vector<std::uint8_t> errorPicture(const RgbPicture& a, const RgbPicture& b,
-                                       double fullPercent) {
+BytePicture errorPicture(const RgbPicture& a, const RgbPicture& b, double fullPercent,
+                         int maxWidth) {
     CHECK(a.pixels.size() == b.pixels.size() && fullPercent > 0.0);
     constexpr int kSteps = 1024;
     std::vector<glm::dvec3> colors;
     for (int i = 0; i <= kSteps; ++i) {
         colors.push_back(errorColor(double(i) / kSteps));
     }
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(3 * a.pixels.size());
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::vec3 apart = glm::abs(a.pixels[i] - b.pixels[i]);
-        const double error = 100.0 * double(std::max({apart.x, apart.y, apart.z})) / fullPercent;
-        const auto step = std::size_t(std::lround(kSteps * std::min(error, 1.0)));
-        for (int c = 0; c < 3; ++c) {
-            bytes.push_back(std::uint8_t(std::lround(255.0 * colors[step][c])));
+    return shrink(a, maxWidth, [&](int left, int top, int right, int bottom) {
+        float largest = 0.0F;
+        for (int y = top; y < bottom; ++y) {
+            for (int x = left; x < right; ++x) {
+                const glm::vec3 apart = glm::abs(a.at(x, y) - b.at(x, y));
+                largest = std::max({largest, apart.x, apart.y, apart.z});
+            }
         }
-    }
-    return bytes;
+        const double error = 100.0 * double(largest) / fullPercent;
+        return colors[std::size_t(std::lround(kSteps * std::min(error, 1.0)))];
+    });
+}
+
+BytePicture smallPicture(const RgbPicture& display, int maxWidth) {
+    return shrink(display, maxWidth, [&](int left, int top, int right, int bottom) {
+        glm::dvec3 sum(0.0);
+        for (int y = top; y < bottom; ++y) {
+            for (int x = left; x < right; ++x) {
+                sum += glm::dvec3(display.at(x, y));
+            }
+        }
+        return sum / double((right - left) * (bottom - top));
+    });
 }
 
 }  // namespace ribalta

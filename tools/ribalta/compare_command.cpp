@@ -160,8 +160,9 @@ double scaleOf(const CompareOptions& options, const Comparison& found) {
 
 void writeDifference(const CompareOptions& options, const Comparison& found) {
     const double scale = scaleOf(options, found);
-    const std::vector<std::uint8_t> picture = errorPicture(found.displayA, found.displayB, scale);
-    writePng(options.output, found.displayB.width, found.displayB.height, picture);
+    const BytePicture picture =
+        errorPicture(found.displayA, found.displayB, scale, found.displayB.width);
+    writePng(options.output, picture.width, picture.height, picture.rgb);
     std::fprintf(stderr, "%s: black is no difference, white %.4g %% of full scale and above\n",
                  options.output.c_str(), scale);
 }

@@ -26,9 +26,9 @@ TEST(PickLayer, FindsChannelsByName) {
 }
 
 TEST(PickLayer, SpreadsGreyAndRefusesWhatHasNoColour) {
-    EXPECT_EQ(pickLayer({1, 1, {"Y"}, {7}}, "", {"a.png", ""}).at(0, 0), glm::vec3(7));
+    EXPECT_EQ(pickLayer({1, 1, {"Y"}, {7}, {}}, "", {"a.png", ""}).at(0, 0), glm::vec3(7));
     expectError(ErrorKind::kBadInput, {"a.exr", "no channels R, G, B", "Z"}, [&] {
-        pickLayer({1, 1, {"Z"}, {7}}, "", {"a.exr", ""});
+        pickLayer({1, 1, {"Z"}, {7}, {}}, "", {"a.exr", ""});
     });
 }
 

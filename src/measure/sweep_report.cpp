@@ -1,0 +1,412 @@
+#include "measure/sweep_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/read_file.h"
+#include "measure/pareto.h"
+#include "measure/report_files.h"
+
+namespace ribalta {
+namespace {
+
+using Json = nlohmann::json;
+using Records = std::vector<const SweepRecord*>;
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            default:
+                result += c;
+        }
+    }
+    return result;
+}
+
+std::string shortNumber(double value) {
+    if (std::isinf(value)) {
+        return "∞";
+    }
+    char text[32];
+    // Three digits, but whole numbers in full.
+    std::snprintf(text, sizeof text, std::abs(value) >= 1000.0 ? "%.0f" : "%.3g", value);
+    return text;
+}
+
+std::string base64(const std::vector<std::byte>& bytes) {
+    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned group = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+            group = group << 8 | (j < count ? std::to_integer<unsigned>(bytes[i + j]) : 0U);
+        }
+        for (std::size_t j = 0; j < 4; ++j) {
+            text += j <= count ? kDigits[group >> (18 - 6 * j) & 63] : '=';
+        }
+    }
+    return text;
+}
+
+// An <img> with the picture in it; empty where there is none.
+std::string imageTag(const std::filesystem::path& folder, const std::string& name,
+                     const std::string& says) {
+    std::error_code ignored;
+    if (name.empty() || !std::filesystem::exists(folder / name, ignored)) {
+        return "";
+    }
+    return "<img alt=\"" + escaped(says) + "\" title=\"" + escaped(says) +
+           "\" src=\"data:image/png;base64," + base64(readFile(folder / name)) + "\">";
+}
+
+std::vector<std::string> namesInOrder(const std::vector<SweepRecord>& records,
+                                      std::string (SweepPoint::*nameOf)() const) {
+    std::vector<std::string> names;
+    for (const SweepRecord& record : records) {
+        const std::string name = (record.point.*nameOf)();
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+bool isMeasured(const SweepRecord& record) {
+    return record.status == SweepRecord::Status::kMeasured;
+}
+
+Records measuredIn(const std::vector<SweepRecord>& records, const std::string& view) {
+    Records found;
+    for (const SweepRecord& record : records) {
+        if (isMeasured(record) && record.point.view() == view) {
+            found.push_back(&record);
+        }
+    }
+    return found;
+}
+
+std::vector<Cost> costsOf(const Records& records) {
+    std::vector<Cost> costs;
+    for (const SweepRecord* record : records) {
+        costs.push_back({record->beamsMs(),
+                         record->errors.empty() ? NAN : record->errors.front().displayRmsePercent});
+    }
+    return costs;
+}
+
+// The keys of the records on their view's front.
+std::set<std::string> frontKeys(const std::vector<SweepRecord>& records) {
+    std::set<std::string> keys;
+    for (const std::string& view : namesInOrder(records, &SweepPoint::view)) {
+        const Records inView = measuredIn(records, view);
+        for (const std::size_t i : paretoFront(costsOf(inView))) {
+            keys.insert(inView[i]->key);
+        }
+    }
+    return keys;
+}
+
+std::string contextHtml(const Json& context) {
+    std::string html = "<dl class=\"context\">\n";
+    for (const auto& [name, value] : context.items()) {
+        html += "<dt>" + escaped(name) + "</dt><dd>" +
+                escaped(value.is_string() ? value.get<std::string>() : value.dump()) + "</dd>\n";
+    }
+    return html + "</dl>";
+}
+
+// What the charts need of the records; what is written within a script must not end it.
+std::string chartData(const std::vector<SweepRecord>& records, double targetPercent) {
+    const std::set<std::string> front = frontKeys(records);
+    Json list = Json::array();
+    for (const SweepRecord& record : records) {
+        if (!isMeasured(record)) {
+            continue;
+        }
+        list.push_back(
+            {{"view", record.point.view()},
+             {"method", record.point.method()},
+             {"planes", record.point.settings.beams.planes},
+             {"fps", record.fps()},
+             {"frame_ms", record.frameMs.median},
+             {"frame_ms_iqr", record.frameMs.iqr},
+             {"beams_ms", record.beamsMs()},
+             {"error",
+              record.errors.empty() ? Json() : Json(record.errors.front().displayRmsePercent)},
+             {"front", front.contains(record.key)}});
+    }
+    const Json data = {{"methods", namesInOrder(records, &SweepPoint::method)},
+                       {"target_percent", targetPercent},
+                       {"records", list}};
+    std::string text = data.dump();
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
+        text.replace(at, 1, "\\u003c");
+    }
+    return text;
+}
+
+std::string cell(const std::string& content, const char* kind = "") {
+    return "<td" + (*kind == '\0' ? std::string() : " class=\"" + std::string(kind) + "\"") + ">" +
+           content + "</td>";
+}
+
+std::string headings(const std::vector<std::pair<const char*, const char*>>& names) {
+    std::string html = "<thead><tr>";
+    for (const auto& [name, kind] : names) {
+        html += "<th" + (*kind == '\0' ? std::string() : " class=\"" + std::string(kind) + "\"") +
+                ">" + name + "</th>";
+    }
+    return html + "</tr></thead>\n";
+}
+
+std::string summaryHtml(const std::vector<SweepRecord>& records, double targetPercent) {
+    const std::vector<TimeToError> times = timesToError(records, targetPercent);
+    if (times.empty()) {
+        return "";
+    }
+    const std::string baseline(name(allBeamMethods().front()));
+    std::string rows;
+    for (const TimeToError& each : times) {
+        const auto base = std::find_if(times.begin(), times.end(), [&](const TimeToError& other) {
+            return other.view == each.view && other.method == baseline;
+        });
+        std::string ratio;
+        if (each.timeMs && base != times.end() && each.method != baseline) {
+            ratio = base->timeMs ? shortNumber(*base->timeMs / *each.timeMs)
+                                 : "over " + shortNumber(base->longestMs / *each.timeMs);
+        }
+        rows += "<tr>" + cell(escaped(each.view), "text") + cell(escaped(each.method), "text") +
+                cell(each.timeMs ? shortNumber(*each.timeMs)
+                                 : "not within " + shortNumber(each.longestMs)) +
+                cell(shortNumber(each.leastError)) + cell(ratio) + "</tr>\n";
+    }
+    return "<section>\n<h2>Time to " + shortNumber(targetPercent) +
+           " % tone-mapped RMSE</h2>\n<div class=\"scroll\"><table>\n" +
+           headings({{"view", "text"},
+                     {"beams", "text"},
+                     {"GPU ms of the beams", ""},
+                     {"least error, %", ""},
+                     {"times faster than planes", ""}}) +
+           "<tbody>\n" + rows +
+           "</tbody></table></div>\n<p class=\"note\">Between two measured points the time is "
+           "interpolated, both axes logarithmic.</p>\n</section>";
+}
+
+// At most four of a method's records, spread over its counts.
+Records chosenForPictures(const Records& records) {
+    constexpr std::size_t kShown = 4;
+    if (records.size() <= kShown) {
+        return records;
+    }
+    Records chosen;
+    for (std::size_t i = 0; i < kShown; ++i) {
+        chosen.push_back(records[i * (records.size() - 1) / (kShown - 1)]);
+    }
+    return chosen;
+}
+
+std::string figureHtml(const SweepRecord& record, const std::filesystem::path& folder) {
+    const std::string says = record.point.method() + ", " +
+                             std::to_string(record.point.settings.beams.planes) + " sheets";
+    const std::string picture = imageTag(folder, record.picture, says);
+    if (picture.empty()) {
+        return "";
+    }
+    std::string caption = std::to_string(record.point.settings.beams.planes) + " sheets, " +
+                          shortNumber(record.beamsMs()) + " ms";
+    if (!record.errors.empty()) {
+        caption += ", " + shortNumber(record.errors.front().displayRmsePercent) + " %, FLIP " +
+                   shortNumber(record.errors.front().flip);
+    }
+    return "<figure>" + picture + imageTag(folder, record.difference, "difference of " + says) +
+           "<figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+}
+
+std::string picturesHtml(const Records& records, const std::vector<std::string>& methods,
+                         const std::filesystem::path& folder) {
+    std::string html;
+    for (const std::string& method : methods) {
+        Records ofMethod;
+        std::copy_if(records.begin(), records.end(), std::back_inserter(ofMethod),
+                     [&](const SweepRecord* record) { return record->point.method() == method; });
+        std::string figures;
+        for (const SweepRecord* record : chosenForPictures(ofMethod)) {
+            figures += figureHtml(*record, folder);
+        }
+        if (!figures.empty()) {
+            html += "<h3>" + escaped(method) + "</h3>\n<div class=\"pictures\">\n" + figures +
+                    "</div>\n";
+        }
+    }
+    return html;
+}
+
+std::string viewHtml(const std::string& view, const Records& records,
+                     const std::vector<std::string>& methods, const std::filesystem::path& folder) {
+    const bool hasErrors = std::any_of(records.begin(), records.end(),
+                                       [](const auto* record) { return !record->errors.empty(); });
+    const auto chart = [&](const char* kind) {
+        return "<div class=\"chart\"><canvas data-chart=\"" + std::string(kind) +
+               "\" data-view=\"" + escaped(view) + "\"></canvas></div>\n";
+    };
+    std::string html = "<section>\n<h2>" + escaped(view) + "</h2>\n";
+    html +=
+        "<p class=\"without-script\">The charts need JavaScript; all their points are in the "
+        "table below.</p>\n<div class=\"charts\">\n" +
+        chart("fps") + (hasErrors ? chart("error") : "") + "</div>\n";
+    if (!hasErrors) {
+        html += "<p class=\"note\">No reference was drawn, so there are no errors.</p>\n";
+    }
+    const std::string pictures = picturesHtml(records, methods, folder);
+    if (!pictures.empty()) {
+        html += pictures;
+        if (hasErrors) {
+            html +=
+                "<p class=\"note\">Below each picture its difference from the reference: black "
+                "is none, white " +
+                shortNumber(kReportDifferencePercent) +
+                " % of full scale and above, the largest channel of each pixel.</p>\n";
+        }
+    }
+    return html + "</section>\n";
+}
+
+std::string tableHtml(const std::vector<SweepRecord>& records) {
+    const std::set<std::string> front = frontKeys(records);
+    std::string html =
+        "<p class=\"note\">Medians; in brackets the distance between quartiles. Points on their "
+        "view's Pareto front are in colour.</p>\n<div class=\"scroll\"><table id=\"points\">\n" +
+        headings({{"view", "text"},
+                  {"beams", "text"},
+                  {"sheets", ""},
+                  {"fps", ""},
+                  {"frame, ms", ""},
+                  {"beams GPU, ms", ""},
+                  {"RMSE, %", ""},
+                  {"beams' relative RMSE", ""},
+                  {"PSNR, dB", ""},
+                  {"FLIP", ""},
+                  {"samples", ""},
+                  {"MiB", ""},
+                  {"", "text"}}) +
+        "<tbody>\n";
+    for (const SweepRecord& record : records) {
+        const SweepPoint& point = record.point;
+        html += front.contains(record.key) ? "<tr class=\"front\">" : "<tr>";
+        html +=
+            cell(escaped(point.view()), "text") +
+            cell(escaped(point.label.empty() ? point.method() : point.label + " " + point.method()),
+                 "text") +
+            cell(std::to_string(point.settings.beams.planes));
+        if (!isMeasured(record)) {
+            html += "<td class=\"message\" colspan=\"10\">" + std::string(name(record.status)) +
+                    ": " + escaped(record.message) + "</td></tr>\n";
+            continue;
+        }
+        const auto spread = [](const Spread& value) {
+            return shortNumber(value.median) + " (" + shortNumber(value.iqr) + ")";
+        };
+        std::string beams = "0";
+        for (const PassSpread& pass : record.passes) {
+            beams = pass.name == "beams" ? spread(pass.gpuMs) : beams;
+        }
+        html += cell(shortNumber(record.fps())) + cell(spread(record.frameMs)) + cell(beams);
+        if (record.errors.empty()) {
+            html += "<td></td><td></td><td></td><td></td>";
+        } else {
+            const SweepError& error = record.errors.front();
+            html += cell(shortNumber(error.displayRmsePercent)) +
+                    cell(shortNumber(error.beamsRelativeRmse)) + cell(shortNumber(error.psnr)) +
+                    cell(shortNumber(error.flip));
+        }
+        html += cell(shortNumber(double(record.samples))) +
+                cell(record.peakRss ? shortNumber(double(*record.peakRss) / 1048576.0) : "") +
+                cell(escaped(record.message), "message") + "</tr>\n";
+    }
+    return html + "</tbody></table></div>";
+}
+
+// The page with each {{name}} replaced; what is filled in is not looked at again.
+std::string filled(std::string_view page, const std::map<std::string, std::string>& contents) {
+    std::string result;
+    for (std::size_t at = 0; at < page.size();) {
+        const std::size_t mark = page.find("{{", at);
+        const std::size_t end = mark == std::string_view::npos ? mark : page.find("}}", mark);
+        if (end == std::string_view::npos) {
+            return result.append(page.substr(at));
+        }
+        result.append(page.substr(at, mark - at));
+        result.append(contents.at(std::string(page.substr(mark + 2, end - mark - 2))));
+        at = end + 2;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<TimeToError> timesToError(const std::vector<SweepRecord>& records,
+                                      double targetPercent) {
+    std::vector<TimeToError> result;
+    for (const std::string& view : namesInOrder(records, &SweepPoint::view)) {
+        for (const std::string& method : namesInOrder(records, &SweepPoint::method)) {
+            Records found = measuredIn(records, view);
+            std::erase_if(found, [&](const SweepRecord* record) {
+                return record->point.method() != method || record->errors.empty();
+            });
+            if (found.empty()) {
+                continue;
+            }
+            const std::vector<Cost> costs = costsOf(found);
+            TimeToError each{view, method, timeToError(costs, targetPercent), costs.front().error,
+                             0.0};
+            for (const Cost& cost : costs) {
+                each.leastError = std::min(each.leastError, cost.error);
+                each.longestMs = std::max(each.longestMs, cost.timeMs);
+            }
+            result.push_back(each);
+        }
+    }
+    return result;
+}
+
+std::string makeReport(const Json& context, const std::vector<SweepRecord>& records,
+                       const std::filesystem::path& folder, double targetPercent) {
+    const auto& files = reportFiles();
+    const std::vector<std::string> methods = namesInOrder(records, &SweepPoint::method);
+    std::string views;
+    for (const std::string& view : namesInOrder(records, &SweepPoint::view)) {
+        views += viewHtml(view, measuredIn(records, view), methods, folder);
+    }
+    return filled(files.at("report.html"), {{"style", std::string(files.at("report.css"))},
+                                            {"context", contextHtml(context)},
+                                            {"summary", summaryHtml(records, targetPercent)},
+                                            {"views", views},
+                                            {"table", tableHtml(records)},
+                                            {"data", chartData(records, targetPercent)},
+                                            {"library", std::string(files.at("chart.min.js"))},
+                                            {"script", std::string(files.at("report.js"))}});
+}
+
+}  // namespace ribalta
