@@ -1,0 +1,246 @@
+#include "sweep_command.h"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/log.h"
+#include "gl/context.h"
+#include "haze_options.h"
+#include "measure/pessoa2007.h"
+#include "measure/sweep_report.h"
+#include "sweep_plan.h"
+#include "sweep_run.h"
+
+namespace ribalta {
+namespace {
+
+struct SweepOptions {
+    std::vector<std::string> scenes;
+    std::vector<std::string> cameras;
+    std::string planes = "8:1024";
+    std::string beams = "all";
+    std::string size = "1280x720";
+    HazeOptions haze;
+    double ambient = 1.0;
+    std::string visibility = "shadow-map";
+    int repeat = 7;
+    int warmup = 2;
+    double maxPointSeconds = 60.0;
+    double target = 0.5;
+    std::string preset;
+    std::filesystem::path output;
+    bool fresh = false;
+    bool verbose = false;
+    CLI::Option* planesOption = nullptr;
+    CLI::Option* beamsOption = nullptr;
+    CLI::Option* sizeOption = nullptr;
+};
+
+SweepGrid gridFrom(const SweepOptions& options) {
+    SweepGrid grid;
+    grid.cameras = options.cameras;
+    grid.planes = parsePlaneCounts(options.planes);
+    grid.methods = parseMethods(options.beams);
+    grid.settings.haze = options.haze.parsed();
+    grid.settings.ambientLux = options.ambient;
+    grid.pessoa2007 = !options.preset.empty();
+    grid.sizes = parseSizes(options.size);
+    if (!grid.pessoa2007) {
+        return grid;
+    }
+    if (options.planesOption->count() > 0) {
+        throw CLI::ValidationError("--planes", "the preset has counts of its own; leave it out");
+    }
+    if (options.sizeOption->count() == 0) {
+        grid.sizes = {{640, 480}};
+    }
+    if (options.beamsOption->count() == 0) {
+        grid.methods = {BeamMethod::kPlanes};
+        if (BeamSettings{}.method != BeamMethod::kPlanes) {
+            grid.methods.push_back(BeamSettings{}.method);
+        }
+    }
+    return grid;
+}
+
+std::vector<std::string> visibilitiesFrom(const std::string& text) {
+    if (text == "none") {
+        return {};
+    }
+    if (text == "both") {
+        return {"shadow-map", "geometry"};
+    }
+    return {text};
+}
+
+std::vector<SweepScene> loadScenes(const std::vector<std::string>& paths) {
+    std::vector<SweepScene> scenes;
+    for (const std::string& path : paths) {
+        scenes.push_back(loadSweepScene(path));
+        if (!scenes.back().loaded && paths.size() == 1) {
+            static_cast<void>(loadGltf(path));  // nothing is left to measure: the error itself
+        }
+    }
+    return scenes;
+}
+
+void printTimes(const std::vector<SweepRecord>& records, double target) {
+    const std::vector<TimeToError> times = timesToError(records, target);
+    if (times.empty()) {
+        return;
+    }
+    std::printf("GPU time of the beams to %g %% tone-mapped RMSE\n", target);
+    for (const TimeToError& each : times) {
+        std::printf("  %-44s %-12s ", each.view.c_str(), each.method.c_str());
+        if (each.timeMs) {
+            std::printf("%10.2f ms", *each.timeMs);
+        } else {
+            std::printf("not within %.2f ms", each.longestMs);
+        }
+        std::printf("   least error %.3g %%\n", each.leastError);
+    }
+}
+
+void endBySignal(const SweepRun& run, int signal) {
+    logWarning("interrupted: " + std::to_string(run.records().size()) + " of " +
+               std::to_string(run.pointCount()) +
+               " points are done and kept; the same command goes on from there");
+    std::fflush(nullptr);
+    std::raise(signal);
+}
+
+void sweep(const SweepOptions& options) {
+    setVerbose(options.verbose);
+    const SweepGrid grid = gridFrom(options);
+    SweepSettings settings;
+    settings.folder = options.output;
+    settings.measure.repeats = options.repeat;
+    settings.measure.warmups = options.warmup;
+    settings.measure.maxPointSeconds = options.maxPointSeconds;
+    settings.visibilities = visibilitiesFrom(options.visibility);
+    settings.targetPercent = options.target;
+    settings.fresh = options.fresh;
+    SweepPlan plan = planSweep(loadScenes(options.scenes), grid);
+
+    const Context context;
+    logVerbose("OpenGL: " + context.renderer() + ", " + context.version());
+    SweepRun run(std::move(plan), std::move(settings), context);
+    const int signal = run.run();
+
+    printTimes(run.records(), options.target);
+    if (grid.pessoa2007) {
+        std::printf("%s", thesisTable(run.records()).c_str());
+    }
+    const std::size_t failed = run.count(SweepRecord::Status::kFailed);
+    std::printf("%zu points: %zu measured (%zu of them before), %zu skipped, %zu failed; %s\n",
+                run.pointCount(), run.count(SweepRecord::Status::kMeasured), run.keptCount(),
+                run.count(SweepRecord::Status::kSkipped), failed,
+                (options.output / "report.html").c_str());
+    if (signal != 0) {
+        endBySignal(run, signal);
+    }
+    if (failed > 0) {
+        throw Error(ErrorKind::kJobFailed, {options.output.string(), ""},
+                    "partial: " + std::to_string(failed) + " of " +
+                        std::to_string(run.pointCount()) +
+                        " points failed; sweep.csv says why, the same command tries them again");
+    }
+}
+
+void addPointOptions(CLI::App& command, SweepOptions& options) {
+    command.add_option("scenes", options.scenes, "glTF scenes, .gltf or .glb")
+        ->type_name("FILE")
+        ->required();
+    command
+        .add_option("--camera", options.cameras,
+                    "camera, by name or counted from 0, in each scene that has it; several times "
+                    "for several; all: every one (default: each scene's first)")
+        ->type_name("NAME|INDEX|all")
+        ->allow_extra_args(false);
+    options.sizeOption =
+        command.add_option("--size", options.size, "sizes of the picture in pixels, by comma")
+            ->type_name("WxH[,...]")
+            ->capture_default_str();
+    options.beamsOption =
+        command.add_option("--beams", options.beams, "methods that draw beams, by comma, or all")
+            ->type_name("METHODS")
+            ->capture_default_str();
+    options.planesOption =
+        command
+            .add_option("--planes", options.planes,
+                        "counts of sheets: FIRST:LAST doubles, FIRST:LAST:STEP adds, "
+                        "FIRST:LAST:FACTORx multiplies, or a list by comma; 1..65536")
+            ->type_name("COUNTS")
+            ->capture_default_str();
+    options.haze.addTo(command);
+    command.add_option("--ambient", options.ambient, "even light from all around, in lux")
+        ->type_name("LUX")
+        ->check(expectNotNegative, "")
+        ->capture_default_str();
+    command
+        .add_option("--preset", options.preset,
+                    "pessoa2007: the six configurations of the thesis, at 640x480, its table "
+                    "printed beside ours")
+        ->type_name("NAME")
+        ->check(CLI::IsMember({"pessoa2007"}).description(""));
+}
+
+void addMeasureOptions(CLI::App& command, SweepOptions& options) {
+    command
+        .add_option("--reference-visibility", options.visibility,
+                    "what pictures are compared with: shadow-map, whose visibility is the "
+                    "renderer's own, so that the error is that of integration; geometry, the "
+                    "truth; both; none")
+        ->type_name("KIND")
+        ->check(CLI::IsMember({"shadow-map", "geometry", "both", "none"}).description(""))
+        ->capture_default_str();
+    command.add_option("--repeat", options.repeat, "frames that are measured at a point, 1..10000")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""))
+        ->capture_default_str();
+    command.add_option("--warmup", options.warmup, "frames before those, 0..1000")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000).description(""))
+        ->capture_default_str();
+    command
+        .add_option("--max-point-seconds", options.maxPointSeconds,
+                    "time that a point's frames may take together; where it is short, fewer are "
+                    "drawn, and a point whose one frame would take longer is skipped")
+        ->type_name("SECONDS")
+        ->check(expectPositive, "")
+        ->capture_default_str();
+    command
+        .add_option("--target", options.target,
+                    "tone-mapped RMSE in % at which the report compares times")
+        ->type_name("PERCENT")
+        ->check(expectPositive, "")
+        ->capture_default_str();
+    command
+        .add_option("-o,--output", options.output,
+                    "folder for sweep.csv, sweep.json, report.html; where it holds a sweep "
+                    "already, that one goes on")
+        ->type_name("FOLDER")
+        ->required();
+    command.add_flag("--fresh", options.fresh, "measure and draw all anew");
+    command.add_flag("--verbose", options.verbose, "say what is measured, point by point");
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& app) {
+    CLI::App* command = app.add_subcommand(
+        "sweep", "Measures run time against error for many settings, and reports it.");
+    const auto options = std::make_shared<SweepOptions>();
+    addPointOptions(*command, *options);
+    addMeasureOptions(*command, *options);
+    command->callback([options] { sweep(*options); });
+}
+
+}  // namespace ribalta

@@ -1,0 +1,252 @@
+#include "sweep_plan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/read_file.h"
+#include "load_scene.h"
+#include "measure/content_hash.h"
+#include "measure/pessoa2007.h"
+
+namespace ribalta {
+namespace {
+
+constexpr int kMaxPlanes = 65536;
+constexpr std::size_t kMaxCounts = 256;
+constexpr std::size_t kMaxPoints = 100000;
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::size_t at = 0;
+    for (std::size_t end = 0; end != std::string::npos; at = end + 1) {
+        end = text.find(separator, at);
+        parts.push_back(text.substr(at, end == std::string::npos ? end : end - at));
+    }
+    return parts;
+}
+
+[[noreturn]] void refusePlanes(const std::string& text) {
+    throw CLI::ValidationError("--planes",
+                               "'" + text +
+                                   "' is not FIRST:LAST[:STEP or :FACTORx] or a list by comma, "
+                                   "counts in 1..65536 that rise, at most 256 of them");
+}
+
+template <typename Number>
+std::optional<Number> wholeNumber(const std::string& text) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+int planeCount(const std::string& part, const std::string& text) {
+    const std::optional<int> count = wholeNumber<int>(part);
+    if (!count || *count < 1 || *count > kMaxPlanes) {
+        refusePlanes(text);
+    }
+    return *count;
+}
+
+std::vector<int> planeRange(const std::vector<std::string>& parts, const std::string& text) {
+    const int first = planeCount(parts[0], text);
+    const int last = planeCount(parts[1], text);
+    const std::string step = parts.size() > 2 ? parts[2] : "2x";
+    const bool isFactor = step.ends_with('x');
+    const auto by = wholeNumber<double>(isFactor ? step.substr(0, step.size() - 1) : step);
+    if (parts.size() > 3 || last < first || !by || !std::isfinite(*by) ||
+        (isFactor && *by < 1.01) || (!isFactor && (*by < 1.0 || *by != std::floor(*by)))) {
+        refusePlanes(text);
+    }
+    std::vector<int> counts;
+    for (double value = first; value <= last + 1e-6; value = isFactor ? value * *by : value + *by) {
+        const int count = int(std::lround(value));
+        if (counts.empty() || count > counts.back()) {
+            counts.push_back(count);
+        }
+        if (counts.size() > kMaxCounts) {
+            refusePlanes(text);
+        }
+    }
+    return counts;
+}
+
+/// A camera of a scene under the name that records give it.
+struct NamedCamera {
+    std::string name;
+    Camera camera;
+};
+
+std::string cameraName(const Scene& scene, std::size_t index) {
+    const std::string& name = scene.cameras[index].name;
+    return name.empty() ? std::to_string(index) : oneLine(name);
+}
+
+// The wanted cameras that the scene has; `found` notes which of the wanted there were.
+std::vector<NamedCamera> camerasOf(const Scene& scene, const std::vector<std::string>& wanted,
+                                   double aspectRatio, std::set<std::string>& found) {
+    std::vector<NamedCamera> cameras;
+    if (wanted.empty()) {
+        const Camera camera = chooseCamera(scene, std::nullopt, aspectRatio);
+        return {{scene.cameras.empty() ? "framed" : cameraName(scene, 0), camera}};
+    }
+    for (const std::string& name : wanted) {
+        for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+            if (name == "all" || scene.cameras[i].name == name || std::to_string(i) == name) {
+                cameras.push_back({cameraName(scene, i), scene.cameras[i]});
+                found.insert(name);
+            }
+        }
+    }
+    return cameras;
+}
+
+std::string listCameras(const Scene& scene) {
+    std::string list;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
+        list += i == 0 ? "" : ", ";
+        list += cameraName(scene, i);
+    }
+    return list.empty() ? "none" : list;
+}
+
+// All settings of one view, method by method.
+std::vector<SweepPoint> pointsOfView(const SweepGrid& grid, const PictureSize& size) {
+    std::vector<SweepPoint> points;
+    if (grid.pessoa2007) {
+        for (const ThesisFigure& figure : thesisFigures()) {
+            for (const BeamMethod method : grid.methods) {
+                points.push_back({"", "", figure.label,
+                                  thesisSettings(figure, method, size.width, size.height)});
+            }
+        }
+        return points;
+    }
+    for (const BeamMethod method : grid.methods) {
+        for (const int planes : grid.planes) {
+            SweepPoint point{"", "", "", grid.settings};
+            point.settings.width = size.width;
+            point.settings.height = size.height;
+            point.settings.beams.method = method;
+            point.settings.beams.planes = planes;
+            points.push_back(std::move(point));
+        }
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<int> parsePlaneCounts(const std::string& text) {
+    const std::vector<std::string> range = split(text, ':');
+    if (range.size() > 1) {
+        return planeRange(range, text);
+    }
+    std::set<int> counts;
+    for (const std::string& part : split(text, ',')) {
+        counts.insert(planeCount(part, text));
+    }
+    if (counts.size() > kMaxCounts) {
+        refusePlanes(text);
+    }
+    return {counts.begin(), counts.end()};
+}
+
+std::vector<BeamMethod> parseMethods(const std::string& text) {
+    if (text == "all") {
+        return {allBeamMethods().begin(), allBeamMethods().end()};
+    }
+    std::vector<BeamMethod> methods;
+    for (const std::string& part : split(text, ',')) {
+        const std::optional<BeamMethod> method = beamMethodNamed(part);
+        if (!method) {
+            std::string names;
+            for (const BeamMethod each : allBeamMethods()) {
+                names += ", ";
+                names += name(each);
+            }
+            throw CLI::ValidationError("--beams",
+                                       "'" + part + "' is none of the methods: all" + names);
+        }
+        if (std::find(methods.begin(), methods.end(), *method) == methods.end()) {
+            methods.push_back(*method);
+        }
+    }
+    return methods;
+}
+
+std::vector<PictureSize> parseSizes(const std::string& text) {
+    std::vector<PictureSize> sizes;
+    for (const std::string& part : split(text, ',')) {
+        sizes.push_back(parseSize(part));
+    }
+    return sizes;
+}
+
+SweepScene loadSweepScene(const std::string& path) {
+    SweepScene scene;
+    scene.path = path;
+    try {
+        scene.loaded = loadScene(path);
+        scene.hash = hashScene(readFile(path), scene.loaded->scene);
+    } catch (const Error& error) {
+        scene.loaded.reset();
+        scene.wrong = error.what();
+    }
+    return scene;
+}
+
+SweepPlan planSweep(std::vector<SweepScene> scenes, const SweepGrid& grid) {
+    SweepPlan plan;
+    std::set<std::string> found;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const SweepScene& scene = scenes[i];
+        for (const PictureSize& size : grid.sizes) {
+            std::vector<NamedCamera> cameras;
+            if (scene.loaded) {
+                cameras = camerasOf(scene.loaded->scene, grid.cameras,
+                                    double(size.width) / size.height, found);
+                if (cameras.empty()) {
+                    throw Error(ErrorKind::kUsage, {scene.path, ""},
+                                "has none of the cameras asked for; it has: " +
+                                    listCameras(scene.loaded->scene));
+                }
+            } else {
+                cameras.push_back({"?", {}});
+            }
+            for (const NamedCamera& camera : cameras) {
+                for (SweepPoint& point : pointsOfView(grid, size)) {
+                    point.scene = scene.path;
+                    point.camera = camera.name;
+                    plan.points.push_back({std::move(point), i, camera.camera});
+                }
+            }
+            if (plan.points.size() > kMaxPoints) {
+                throw Error(ErrorKind::kUsage, {},
+                            "over " + std::to_string(kMaxPoints) +
+                                " points; give fewer scenes, cameras, sizes, methods or planes");
+            }
+        }
+    }
+    const bool allLoaded = std::all_of(scenes.begin(), scenes.end(),
+                                       [](const SweepScene& scene) { return scene.loaded; });
+    for (const std::string& name : grid.cameras) {
+        if (allLoaded && !found.contains(name)) {
+            throw Error(ErrorKind::kUsage, {"--camera", ""},
+                        "no scene has a camera '" + name + "'");
+        }
+    }
+    plan.scenes = std::move(scenes);
+    return plan;
+}
+
+}  // namespace ribalta
