@@ -26,7 +26,7 @@ std::optional<Interval> clipToSphere(const glm::dvec3& origin, const glm::dvec3&
 
 }  // namespace
 
-BeamLamp::BeamLamp(const SpotLight& spot, int spotIndex, const LightMapTexture* itsLightMap)
+BeamLamp::BeamLamp(const SpotLight& spot, int spotIndex, const LightMapPyramid* itsLightMap)
     : light(spot),
       index(spotIndex),
       candela(glm::dvec3(spot.color) * spot.intensityCandela),

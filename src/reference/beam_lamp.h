@@ -7,7 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "reference/interval.h"
-#include "reference/light_map_texture.h"
+#include "reference/light_map_pyramid.h"
 #include "scene/light.h"
 
 namespace ribalta {
@@ -16,7 +16,7 @@ namespace ribalta {
 /// Beam coordinates: apex at 0, x to the lamp's right, y up, z the depth along the beam, metres.
 struct BeamLamp {
     /// `lightMap` is the lamp's, null where it has none; it must outlive this.
-    BeamLamp(const SpotLight& spot, int spotIndex, const LightMapTexture* itsLightMap);
+    BeamLamp(const SpotLight& spot, int spotIndex, const LightMapPyramid* itsLightMap);
 
     SpotLight light;
     int index = 0;  ///< into the lamps it was made from
@@ -27,7 +27,7 @@ struct BeamLamp {
     double inverseRange = 0.0;  ///< 1/m
     double cosRotation = 1.0;
     double sinRotation = 0.0;
-    const LightMapTexture* lightMap = nullptr;
+    const LightMapPyramid* lightMap = nullptr;
 
     bool isDark() const;
     /// A direction, or a point less the lamp's position, from the world into beam coordinates.
@@ -39,6 +39,8 @@ struct BeamLamp {
     std::optional<Interval> fullCone(const glm::dvec3& origin, const glm::dvec3& direction,
                                      const Interval& interval) const;
     glm::dvec2 lightMapUv(const glm::dvec2& slope) const;
+    /// Texels of the light map, its longer side, that a unit of slope spans.
+    double lightMapTexels() const { return 0.5 * lightMap->side() * cosOuter / sinOuter; }
 };
 
 /// Placed projectively: x of [0, 1] runs over the part with 1 / z even, which takes the inverse

@@ -11,7 +11,7 @@
 #include "optics/shader_lib.h"
 #include "reference/beam_lamp.h"
 #include "reference/light_map_integral.h"
-#include "reference/light_map_texture.h"
+#include "reference/light_map_pyramid.h"
 #include "reference/smooth_panel.h"
 
 namespace ribalta {
@@ -77,6 +77,47 @@ class SmoothFactor {
     bool isCone_;
 };
 
+/// Which level of the light map the pixel's width asks for along a ray: the one whose texels are as
+/// wide. Between levels the two are blended.
+class LightMapLevels {
+  public:
+    LightMapLevels(const BeamSegment& segment, const BeamRay& ray)
+        : segment_(segment), width_(ray.width), widening_(ray.widening) {
+        if (segment.lamp.lightMap != nullptr) {
+            texels_ = segment.lamp.lightMapTexels();
+            last_ = segment.lamp.lightMap->lastLevel();
+        }
+    }
+
+    /// Fractional, 0..last level.
+    double at(double x) const {
+        const double t = segment_.distanceAt(x);
+        const double z = segment_.origin.z + t * segment_.direction.z;
+        const double footprint = texels_ * (width_ + widening_ * t) / z;
+        return glm::clamp(std::log2(std::max(footprint, 1e-4)), 0.0, double(last_));
+    }
+
+    /// Every x at which the level is whole; there, what it blends changes.
+    void addKinks(std::vector<double>& places) const {
+        for (int level = 0; level <= last_ && (width_ > 0.0 || widening_ > 0.0); ++level) {
+            // texels (width + widening t) = 2^level (origin.z + t direction.z)
+            const double size = std::exp2(level);
+            const double t = (size * segment_.origin.z - texels_ * width_) /
+                             (texels_ * widening_ - size * segment_.direction.z);
+            if (t > segment_.part.first && t < segment_.part.last) {
+                places.push_back(segment_.placeOf(t));
+            }
+        }
+    }
+
+  private:
+    const BeamSegment& segment_;
+    double width_;
+    double widening_;
+    double texels_ = 0.0;
+    int last_ = -1;
+};
+
 /// The stretches with a cut at every place inside them; both ascending.
 std::vector<Interval> cutAt(const std::vector<Interval>& stretches,
                             const std::vector<double>& places) {
@@ -97,32 +138,55 @@ std::vector<Interval> cutAt(const std::vector<Interval>& stretches,
 /// One lamp's light along one ray, gathered panel by panel.
 class SegmentIntegral {
   public:
-    SegmentIntegral(const BeamSegment& segment, const Haze& haze, double relative)
-        : segment_(segment), factor_(segment, haze), relative_(relative) {
+    SegmentIntegral(const BeamSegment& segment, const LightMapLevels& levels, const Haze& haze,
+                    double relative)
+        : segment_(segment), levels_(levels), factor_(segment, haze), relative_(0.85 * relative) {
         if (segment.lamp.lightMap != nullptr) {
             uv0_ = segment.lamp.lightMapUv(segment.slope0);
             uv1_ = segment.lamp.lightMapUv(segment.slope1);
         }
     }
 
+    /// A lit stretch without kinks.
     void add(const Interval& stretch) {
-        const double depth = factor_.opticalDepth(stretch.first);
+        const double depthFirst = factor_.opticalDepth(stretch.first);
+        const double depthLast = factor_.opticalDepth(stretch.last);
         if (leastDepth_ < 0.0) {
-            leastDepth_ = depth;
+            leastDepth_ = depthFirst;
         }
-        add(stretch, depth, factor_.opticalDepth(stretch.last), 0);
+        const LightMapPyramid* const map = segment_.lamp.lightMap;
+        if (map == nullptr) {
+            add(stretch, depthFirst, depthLast, 0, nullptr, factor_);
+            return;
+        }
+        const double level = levels_.at(0.5 * (stretch.first + stretch.last));
+        const int finer = int(level);
+        if (level == finer) {
+            add(stretch, depthFirst, depthLast, 0, &map->level(finer), factor_);
+            return;
+        }
+        const auto coarseShare = [&](double x) {
+            return glm::clamp(levels_.at(x) - finer, 0.0, 1.0);
+        };
+        add(stretch, depthFirst, depthLast, 0, &map->level(finer),
+            [&](double x) { return factor_(x) * (1.0 - coarseShare(x)); });
+        add(stretch, depthFirst, depthLast, 0, &map->level(finer + 1),
+            [&](double x) { return factor_(x) * coarseShare(x); });
     }
 
     BeamLight result() const { return result_; }
 
   private:
-    void add(const Interval& place, double depthFirst, double depthLast, int halvings) {
+    /// `smooth` times the map, or times one where there is none.
+    template <typename Smooth>
+    void add(const Interval& place, double depthFirst, double depthLast, int halvings,
+             const LightMapTexture* map, const Smooth& smooth) {
         if (!(place.length() > 0.0) || depthFirst - leastDepth_ > kLostDepth) {
             return;
         }
         const bool canHalve = halvings < kMaxHalvings;
         if (!(depthLast - depthFirst > kMaxPanelDepth && canHalve)) {
-            const SmoothPanel panel = fitPanel(factor_, place);
+            const SmoothPanel panel = fitPanel(smooth, place);
             result_.evaluations += int(SmoothPanel::kNodes);
             peak_ = std::max(peak_, panel.largest);
             // What counts is the error against the panel's own light, or against a thousandth of
@@ -130,32 +194,33 @@ class SegmentIntegral {
             const double mean = panel.integral() / place.length();
             const double own = std::max({panel.smallest, 0.1 * mean, 0.0});
             if (panel.error() <= relative_ * std::max(own, 1e-3 * peak_) || !canHalve) {
-                take(panel, own);
+                take(panel, own, map);
                 return;
             }
         }
         const double middle = 0.5 * (place.first + place.last);
         const double depthMiddle = factor_.opticalDepth(middle);
-        add({place.first, middle}, depthFirst, depthMiddle, halvings + 1);
-        add({middle, place.last}, depthMiddle, depthLast, halvings + 1);
+        add({place.first, middle}, depthFirst, depthMiddle, halvings + 1, map, smooth);
+        add({middle, place.last}, depthMiddle, depthLast, halvings + 1, map, smooth);
     }
 
-    void take(const SmoothPanel& panel, double own) {
-        const BeamLamp& lamp = segment_.lamp;
+    void take(const SmoothPanel& panel, double own, const LightMapTexture* map) {
         glm::dvec3 value(panel.integral());
-        if (lamp.lightMap != nullptr) {
-            value = integrateOverLightMap(panel, *lamp.lightMap, uv0_, uv1_, 0.1 * relative_);
+        double rule = 0.0;
+        if (map != nullptr) {
+            rule = 0.1 * relative_;
+            value = integrateOverLightMap(panel, *map, uv0_, uv1_, rule);
         }
-        value *= lamp.candela;
+        value *= segment_.lamp.candela;
         result_.value += value;
         const double largest = std::max({value.x, value.y, value.z});
-        const double rule = lamp.lightMap != nullptr ? 0.1 * relative_ : 0.0;
         result_.error += largest * (own > 0.0 ? std::min(panel.error() / own, 1.0) + rule : 1.0);
     }
 
     const BeamSegment& segment_;
+    const LightMapLevels& levels_;
     SmoothFactor factor_;
-    double relative_;
+    double relative_;  ///< of a panel; the rest is for the light map's rule
     glm::dvec2 uv0_{0.0};
     glm::dvec2 uv1_{0.0};
     double leastDepth_ = -1.0;  ///< optical depth where the light begins
@@ -167,15 +232,16 @@ class SegmentIntegral {
 
 struct BeamIntegrator::State {
     std::vector<BeamLamp> lamps;
-    std::vector<std::unique_ptr<LightMapTexture>> lightMaps;  // by image; null where no lamp asks
+    std::vector<std::unique_ptr<LightMapPyramid>> lightMaps;  // by image; null where no lamp asks
     Haze haze;
     std::unique_ptr<BeamVisibility> visibility;
     double relativeError = 0.0;
 
-    BeamLight alongSegment(const BeamSegment& segment) const;
+    BeamLight alongSegment(const BeamSegment& segment, const BeamRay& ray) const;
 };
 
-BeamLight BeamIntegrator::State::alongSegment(const BeamSegment& segment) const {
+BeamLight BeamIntegrator::State::alongSegment(const BeamSegment& segment,
+                                              const BeamRay& ray) const {
     std::vector<Interval> lit = {{0.0, 1.0}};
     if (visibility) {
         visibility->findLit(segment, lit);
@@ -185,7 +251,10 @@ BeamLight BeamIntegrator::State::alongSegment(const BeamSegment& segment) const 
             segment.lamp.fullCone(segment.origin, segment.direction, segment.part)) {
         kinks = {segment.placeOf(full->first), segment.placeOf(full->last)};
     }
-    SegmentIntegral integral(segment, haze, relativeError);
+    const LightMapLevels levels(segment, ray);
+    levels.addKinks(kinks);
+    std::sort(kinks.begin(), kinks.end());
+    SegmentIntegral integral(segment, levels, haze, relativeError);
     for (const Interval& stretch : cutAt(lit, kinks)) {
         integral.add(stretch);
     }
@@ -202,13 +271,13 @@ BeamIntegrator::BeamIntegrator(std::span<const SpotLight> lamps, std::span<const
     state_->relativeError = relativeError;
     state_->lightMaps.resize(images.size());
     for (std::size_t i = 0; i < lamps.size(); ++i) {
-        const LightMapTexture* lightMap = nullptr;
+        const LightMapPyramid* lightMap = nullptr;
         if (lamps[i].lightMap) {
             const int image = lamps[i].lightMap->image;
             CHECK(image >= 0 && std::size_t(image) < images.size());
-            std::unique_ptr<LightMapTexture>& texture = state_->lightMaps[std::size_t(image)];
+            std::unique_ptr<LightMapPyramid>& texture = state_->lightMaps[std::size_t(image)];
             if (!texture) {
-                texture = std::make_unique<LightMapTexture>(images[std::size_t(image)]);
+                texture = std::make_unique<LightMapPyramid>(images[std::size_t(image)]);
             }
             lightMap = texture.get();
         }
@@ -239,7 +308,7 @@ BeamLight BeamIntegrator::along(const BeamRay& ray) const {
         if (!segment) {
             continue;
         }
-        const BeamLight one = state_->alongSegment(*segment);
+        const BeamLight one = state_->alongSegment(*segment, ray);
         total.value += one.value;
         total.error += one.error;
         total.evaluations += one.evaluations;

@@ -20,6 +20,10 @@ struct BeamRay {
     glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit
     double first = 0.0;                    ///< metres from the origin, >= 0: the near plane
     double last = 0.0;                     ///< metres from the origin: the surface, or infinity
+    /// Width of what the pixel sees: so many metres at the origin, and for each metre along the
+    /// ray so many more. Light maps are filtered over it; without width they are read at a point.
+    double width = 0.0;
+    double widening = 0.0;
 };
 
 /// What reaches the eye along a ray.

@@ -1,9 +1,11 @@
 // Decoding and bilinear filtering of light maps in the order in which OpenGL does them.
 #include "reference/light_map_texture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "base/check.h"
 #include "optics/shader_lib.h"
@@ -17,6 +19,27 @@ std::array<float, 256> srgbTable() {
         linear[i] = float(shader::srgbDecodeChannel(double(i) / 255.0));
     }
     return linear;
+}
+
+/// How much of a texel of a row goes into one of the row's smaller copy.
+struct Share {
+    std::size_t from;
+    std::size_t to;
+    double weight;
+};
+
+std::vector<Share> sharesOfHalf(int count, int smaller) {
+    std::vector<Share> shares;
+    const double width = double(count) / smaller;
+    for (int to = 0; to < smaller; ++to) {
+        const double first = to * width;
+        const double last = first + width;
+        for (int from = int(first); from < count && from < last; ++from) {
+            const double part = std::min(last, from + 1.0) - std::max(first, double(from));
+            shares.push_back({std::size_t(from), std::size_t(to), part / width});
+        }
+    }
+    return shares;
 }
 
 }  // namespace
@@ -41,6 +64,27 @@ LightMapTexture::LightMapTexture(const Image& image) : width_(image.width), heig
                     sizeof(glm::vec3));
     }
     findDark();
+}
+
+LightMapTexture::LightMapTexture(int width, int height, std::vector<glm::vec4> texels)
+    : width_(width), height_(height), texels_(std::move(texels)) {
+    findDark();
+}
+
+LightMapTexture LightMapTexture::halved() const {
+    const int width = std::max(1, width_ / 2);
+    const int height = std::max(1, height_ / 2);
+    const std::vector<Share> columns = sharesOfHalf(width_, width);
+    const std::vector<Share> rows = sharesOfHalf(height_, height);
+    std::vector<glm::vec4> texels(std::size_t(width) * std::size_t(height), glm::vec4(0.0F));
+    for (const Share& row : rows) {
+        for (const Share& column : columns) {
+            texels[row.to * std::size_t(width) + column.to] +=
+                float(row.weight * column.weight) *
+                texels_[row.from * std::size_t(width_) + column.from];
+        }
+    }
+    return {width, height, std::move(texels)};
 }
 
 void LightMapTexture::findDark() {

@@ -16,6 +16,9 @@ class LightMapTexture {
     /// Keeps linear R, G, B of `image` (8-bit channels are sRGB); alpha is not read.
     explicit LightMapTexture(const Image& image);
 
+    /// The picture at half the size (a side of 1 stays), each texel the mean over its area.
+    LightMapTexture halved() const;
+
     /// Linear R, G, B at `uv` (origin top left, v down): bilinear between texel centres, after
     /// decoding, clamped to the edge.
     glm::dvec3 at(const glm::dvec2& uv) const;
@@ -44,6 +47,8 @@ class LightMapTexture {
     }
 
   private:
+    LightMapTexture(int width, int height, std::vector<glm::vec4> texels);
+
     std::size_t clampedColumn(int column) const {
         return std::size_t(glm::clamp(column, 0, width_ - 1));
     }

@@ -26,6 +26,11 @@ struct PixelRay {
     glm::dvec3 origin;
     glm::dvec3 direction;         ///< unit
     double metresPerDepth = 1.0;  ///< along the ray for one along the view axis
+    double width = 0.0;           ///< of the pixel, as in BeamRay
+    double widening = 0.0;
+    /// To the origin and the unscaled direction of the ray one pixel to the right, and one up.
+    glm::dvec3 toRight{0.0};
+    glm::dvec3 toUp{0.0};
 };
 
 class PixelRays {
@@ -39,12 +44,15 @@ class PixelRays {
         const double across = (2.0 * x + 1.0) / size_.x - 1.0;
         const double up = 1.0 - (2.0 * y + 1.0) / size_.y;
         const glm::dvec3 aside = across * half_.x * frame.right() + up * half_.y * frame.up();
+        const double pixel = 2.0 * half_.y / size_.y;
+        const glm::dvec3 toRight = 2.0 * half_.x / size_.x * frame.right();
+        const glm::dvec3 toUp = pixel * frame.up();
         if (camera_.isOrthographic()) {
-            return {frame.position + aside, frame.forward(), 1.0};
+            return {frame.position + aside, frame.forward(), 1.0, pixel, 0.0, toRight, toUp};
         }
         const glm::dvec3 unscaled = frame.forward() + aside;
         const double length = glm::length(unscaled);
-        return {frame.position, unscaled / length, length};
+        return {frame.position, unscaled / length, length, 0.0, pixel, toRight, toUp};
     }
 
   private:
@@ -101,7 +109,7 @@ class ReferenceFrame {
                 traced_ ? traceSurfaces(ray, pixel, sight) : readSurfaces(ray, pixel);
             const double first = settings_.camera.nearMetres * ray.metresPerDepth;
             if (first < last) {
-                drawBeams({ray.origin, ray.direction, first, last}, pixel);
+                drawBeams({ray.origin, ray.direction, first, last, ray.width, ray.widening}, pixel);
             }
         }
     }
@@ -148,8 +156,20 @@ class ReferenceFrame {
         double alpha;
     };
     SeenSurface surfaceLight(const SurfaceHit& hit, const PixelRay& ray) const {
-        const ShadedPoint point = shadedPoint(traced_->surfaces[hit.surface], traced_->textures,
-                                              hit, ray.origin, ray.direction);
+        ShadedPoint point = shadedPoint(traced_->surfaces[hit.surface], traced_->textures, hit,
+                                        ray.origin, ray.direction);
+        // Where the neighbours' rays meet the surface's plane, to first order.
+        const double facing = glm::dot(point.geometric, ray.direction);
+        const auto onPlane = [&](const glm::dvec3& toNeighbour) {
+            const glm::dvec3 aside = settings_.camera.isOrthographic()
+                                         ? toNeighbour
+                                         : toNeighbour * (hit.distance / ray.metresPerDepth);
+            return facing == 0.0
+                       ? glm::dvec3(0.0)
+                       : aside - ray.direction * (glm::dot(point.geometric, aside) / facing);
+        };
+        point.acrossPixel = onPlane(ray.toRight);
+        point.upPixel = onPlane(ray.toUp);
         return {light_->radiance(point) * shader::transmittance(extinction_, hit.distance),
                 glm::clamp(point.alpha, 0.0, 1.0)};
     }

@@ -2,7 +2,8 @@
 // exact answer that drawn frames are measured against. Knows neither OpenGL nor files.
 //
 // A ray goes through the centre of each pixel: no anti-aliasing, as in a drawn frame. Light maps
-// and textures are read bilinearly at their full size, without mip levels.
+// are filtered over the width of what the pixel sees, in the haze and on surfaces; textures are
+// read bilinearly at full size, without mip levels.
 #pragma once
 
 #include <cstddef>

@@ -26,6 +26,19 @@ glm::dvec3 bentNormal(const glm::dvec3& normal, const glm::dvec3& outside,
     return glm::normalize(bump.x * tangent + bump.y * bitangent + bump.z * normal);
 }
 
+/// The light map at `place` in beam coordinates, filtered over what the pixel sees of the surface.
+glm::dvec3 lightMapOn(const BeamLamp& lamp, const glm::dvec3& place, const ShadedPoint& point) {
+    const glm::dvec2 slope = glm::dvec2(place) / place.z;
+    double footprint = 0.0;
+    for (const glm::dvec3& step : {point.acrossPixel, point.upPixel}) {
+        const glm::dvec3 moved = lamp.toBeam(step);
+        const glm::dvec2 change = (glm::dvec2(moved) - slope * moved.z) / place.z;
+        footprint = std::max(footprint, glm::length(change));
+    }
+    return lamp.lightMap->at(lamp.lightMapUv(slope),
+                             std::log2(std::max(lamp.lightMapTexels() * footprint, 1e-4)));
+}
+
 glm::dvec3 shadingNormal(const PlacedSurface& surface, const MaterialTextures& textures,
                          const SurfaceHit& hit, const glm::dvec3& geometric) {
     const Primitive& primitive = *surface.primitive;
@@ -170,7 +183,7 @@ glm::dvec3 SurfaceLight::fromSpot(const BeamLamp& lamp, const ShadedPoint& point
     }
     glm::dvec3 light = reflected(point, -fromLamp / distance) * lamp.candela * falloff;
     if (lamp.lightMap != nullptr) {
-        light *= lamp.lightMap->at(lamp.lightMapUv(glm::dvec2(place) / place.z));
+        light *= lightMapOn(lamp, place, point);
     }
     if (light == glm::dvec3(0.0) || isShadowed(lamp, point, place.z)) {
         return glm::dvec3(0.0);

@@ -1,6 +1,6 @@
 // Surface light: what a point of a surface sends towards the eye under all lamps, in double
-// precision, as shaders/passes/forward.frag has it; with hard shadows, light maps and textures at
-// full size.
+// precision, as shaders/passes/forward.frag has it; with hard shadows, and textures at full
+// size.
 #pragma once
 
 #include <span>
@@ -30,6 +30,10 @@ struct ShadedPoint {
     double occlusion = 1.0;
     glm::dvec3 emission{0.0};  ///< cd/m2
     bool unlit = false;
+    /// What the next pixel to the right and the next one up see of the surface's plane, less
+    /// position; zero: the pixel sees a point.
+    glm::dvec3 acrossPixel{0.0};
+    glm::dvec3 upPixel{0.0};
 };
 
 /// Reads a surface's material where it was hit by a ray of that unit direction from `origin`.
