@@ -398,21 +398,32 @@ glm::dvec3 ExactBeams::along(const Ray& ray, const Change& change) const {
     return sum;
 }
 
-Roughness ExactBeams::inProjection(const Ray& ray, int samples, double pixelSlope,
-                                   bool parallel) const {
+Roughness ExactBeams::inBeams(const Ray& ray, int samples, bool evenMetres, double pixelSlope,
+                              bool parallel) const {
     Roughness result;
     for (const Lamp& lamp : lamps_) {
         const std::optional<Stretch> stretch = enter(lamp, ray, {0.0, 0.0, true});
         if (!stretch) {
             continue;
         }
-        const std::vector<double> places = stretch->grid(256);
+        // The integrand over a variable of 0..1 in which the samples are even.
+        const double length = stretch->part.length();
+        const auto valueAt = [&](double x) {
+            return evenMetres ? length * stretch->perMetre(stretch->metresAt(x), true)
+                              : stretch->perPlace(x);
+        };
+        std::vector<double> places = stretch->grid(256);
         std::vector<glm::dvec3> values;
         double mean = 0.0;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            values.push_back(stretch->perPlace(places[i]));
+            values.push_back(valueAt(places[i]));
             if (lamp.lightMap && i > 0) {
                 mean += largest(stretch->perPlace(places[i], false)) * (places[i] - places[i - 1]);
+            }
+        }
+        if (evenMetres) {
+            for (double& place : places) {
+                place = (stretch->metresAt(place) - stretch->part.first) / length;
             }
         }
         glm::dvec3 variation(0.0);
@@ -420,7 +431,9 @@ Roughness ExactBeams::inProjection(const Ray& ray, int samples, double pixelSlop
         glm::dvec3 lastSlope(0.0);
         for (std::size_t i = 1; i < places.size(); ++i) {
             const glm::dvec3 step = values[i] - values[i - 1];
-            const glm::dvec3 slope = step / (places[i] - places[i - 1]);
+            // Two places may fall together where metres are even.
+            const double width = places[i] - places[i - 1];
+            const glm::dvec3 slope = width > 0.0 ? step / width : lastSlope;
             variation += glm::abs(step);
             if (i > 1) {
                 slopeVariation += glm::abs(slope - lastSlope);
@@ -431,7 +444,7 @@ Roughness ExactBeams::inProjection(const Ray& ray, int samples, double pixelSlop
         for (const Interval& piece : lit(*stretch, 0.0)) {
             for (const double edge : {piece.first, piece.last}) {
                 if (edge > 0.0 && edge < 1.0) {
-                    variation += stretch->perPlace(edge);
+                    variation += valueAt(edge);
                     slopeVariation = glm::dvec3(kInfinity);
                 }
             }

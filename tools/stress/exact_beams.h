@@ -45,10 +45,11 @@ class ExactBeams {
     /// Radiance in cd/m2 to about 1e-6 of itself.
     glm::dvec3 along(const Ray& ray, const Change& change = {}) const;
 
-    /// For samples even in the lamp's projection, at least `samples` over the stretch of the ray
-    /// inside each beam. `pixelSlope` is the width of a pixel at unit distance from the eye, or in
-    /// metres where `parallel` (orthographic).
-    Roughness inProjection(const Ray& ray, int samples, double pixelSlope, bool parallel) const;
+    /// For at least `samples` over the stretch of the ray inside each beam, even in the lamp's
+    /// projection or, with `evenMetres`, along the ray. `pixelSlope` is the width of a pixel at
+    /// unit distance from the eye, or in metres where `parallel` (orthographic).
+    Roughness inBeams(const Ray& ray, int samples, bool evenMetres, double pixelSlope,
+                      bool parallel) const;
     /// For samples even along the whole ray.
     Roughness alongRay(const Ray& ray) const;
 

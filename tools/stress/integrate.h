@@ -46,9 +46,9 @@ glm::dvec3 integrate(const Integrand& integrand, const std::vector<Interval>& pi
         rough += open.back().value;
     }
     // A tenth for each piece: their errors seldom add up.
-    const double allowed = 0.1 * relative * std::max({rough.x, rough.y, rough.z});
+    const double allowed = 0.01 * relative * std::max({rough.x, rough.y, rough.z});
     // Enough for hundreds of kinks; where it is not, the integrand is nothing but rounding.
-    int splits = 3000;
+    int splits = 5000;
     glm::dvec3 sum(0.0);
     while (!open.empty()) {
         const Work work = open.back();

@@ -26,6 +26,7 @@ namespace {
 struct Options {
     double seconds = 20.0;
     std::uint64_t seed = 1;
+    std::optional<int> cases;
     std::optional<int> onlyCase;
     std::string beams = "all";
     bool verbose = false;
@@ -61,15 +62,18 @@ class Run {
     /// The number of cases that failed.
     int run() {
         const auto start = std::chrono::steady_clock::now();
-        const auto isOver = [&] {
-            return std::chrono::steady_clock::now() - start >=
-                   std::chrono::duration<double>(options_.seconds);
+        const auto isOver = [&](int done) {
+            return options_.cases ? done >= *options_.cases
+                                  : std::chrono::steady_clock::now() - start >=
+                                        std::chrono::duration<double>(options_.seconds);
         };
-        int number = options_.onlyCase.value_or(0);
-        do {
-            check(makeSetUp(options_.seed, number));
-            ++number;
-        } while (!options_.onlyCase && !isOver());
+        if (options_.onlyCase) {
+            check(makeSetUp(options_.seed, *options_.onlyCase));
+        } else {
+            for (int number = 0; !isOver(number); ++number) {
+                check(makeSetUp(options_.seed, number));
+            }
+        }
         print();
         return failed_;
     }
@@ -150,6 +154,8 @@ int run(int argc, char** argv) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_option("--seed", options.seed, "Which cases")->capture_default_str();
+    app.add_option("--cases", options.cases, "How many cases, however long they take")
+        ->check(CLI::PositiveNumber);
     app.add_option("--case", options.onlyCase, "Only this case of the seed")
         ->check(CLI::NonNegativeNumber);
     std::vector<std::string> names = {"all"};
