@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "render/lamp_reach.h"
 
@@ -62,16 +63,25 @@ ShadowKey keyOf(const Scene& scene, const FramePlan& plan, const ShadowMapWork& 
 }
 
 // Gives every lamp with casters a layer: the one that already holds its map, or a free one.
-void planShadowMaps(const Scene& scene, const FrameCache& cache, FramePlan& plan) {
+void planShadowMaps(const Scene& scene, const FrameCache& cache, const LitRegions& lit,
+                    FramePlan& plan) {
+    const auto allCasters =
+        int(std::count_if(plan.draws.begin(), plan.draws.end(),
+                          [&](const DrawItem& item) { return castsShadow(scene, item); }));
     std::vector<ShadowMapWork> wanted;
     std::vector<std::size_t> lampOf;
     for (std::size_t i = 0; i < plan.lamps.size(); ++i) {
-        const SpotLight& lamp = scene.spotLights[std::size_t(plan.lamps[i].spot)];
-        std::vector<int> casters = castersOf(scene, plan, lamp);
-        if (!casters.empty() && wanted.size() == kMaxShadowMaps) {
+        const PlannedLamp& planned = plan.lamps[i];
+        std::vector<int> casters =
+            castersOf(scene, plan, litPart(scene.spotLights[std::size_t(planned.spot)], lit));
+        if (casters.empty()) {
+            ++plan.shadowMapsNeedless;
+        } else if (wanted.size() == kMaxShadowMaps) {
             ++plan.lampsWithoutShadow;
-        } else if (!casters.empty()) {
-            wanted.push_back({-1, plan.lamps[i].spot, std::move(casters)});
+        } else {
+            plan.castersDrawn += int(casters.size());
+            plan.castersCulled += allCasters - int(casters.size());
+            wanted.push_back({-1, planned.spot, std::move(casters)});
             lampOf.push_back(i);
         }
     }
@@ -150,7 +160,7 @@ void planPlanes(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
     for (int i = 0; i < 8 && !bounds.isEmpty(); ++i) {
         end = std::max(end, depthOf(plan.camera, bounds.corner(i)));
     }
-    end = end > plan.camera.nearMetres ? end : kEmptySceneDepth;
+    end = end > plan.camera.nearMetres ? end : plan.camera.nearMetres + kEmptySceneDepth;
     end = std::min(end, plan.camera.farMetres);
     const double near = plan.camera.nearMetres;
     work.firstDepth = near;
@@ -188,66 +198,6 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
     plan.beams = std::move(work);
 }
 
-bool crossesPicture(const std::vector<glm::dvec2>& outline, int width, int height) {
-    return !makeBeamTiles({outline}, width, height).tiles.empty();
-}
-
-// The spots that light something in view or show a beam there; and the beams' outlines.
-std::vector<std::vector<glm::dvec2>> planLamps(const Scene& scene, const std::vector<bool>& visible,
-                                               FramePlan& plan) {
-    std::vector<std::vector<glm::dvec2>> outlines;
-    const bool haze = plan.settings.haze.scatteringPerMetre > 0.0;
-    for (std::size_t s = 0; s < scene.spotLights.size(); ++s) {
-        const SpotLight& lamp = scene.spotLights[s];
-        bool reaches = false;
-        std::vector<glm::dvec2> outline;
-        if (!isDark(lamp)) {
-            for (std::size_t i = 0; i < visible.size() && !reaches; ++i) {
-                reaches = visible[i] && beamTouches(lamp, plan.draws[i].worldBounds);
-            }
-            if (haze) {
-                outline = beamOutline(lamp, plan.camera, plan.settings.width, plan.settings.height);
-                reaches =
-                    reaches || crossesPicture(outline, plan.settings.width, plan.settings.height);
-            }
-        }
-        if (reaches) {
-            plan.lamps.push_back({int(s), -1});
-            outlines.push_back(std::move(outline));
-        } else {
-            ++plan.lampsSkipped;
-        }
-    }
-    return outlines;
-}
-
-void planOtherLamps(const Scene& scene, const std::vector<bool>& visible, FramePlan& plan) {
-    const bool anything = std::find(visible.begin(), visible.end(), true) != visible.end();
-    for (std::size_t i = 0; i < scene.pointLights.size(); ++i) {
-        const PointLight& lamp = scene.pointLights[i];
-        bool reaches = false;
-        for (std::size_t d = 0; d < visible.size() && !reaches; ++d) {
-            const Bounds& bounds = plan.draws[d].worldBounds;
-            const glm::dvec3 gap = glm::max(
-                glm::abs(bounds.centre() - lamp.position) - bounds.halfSize(), glm::dvec3(0.0));
-            reaches = visible[d] && glm::length(gap) <= lamp.rangeMetres;
-        }
-        if (reaches && lamp.intensityCandela > 0.0 && lamp.color != glm::vec3(0.0F)) {
-            plan.pointLights.push_back(int(i));
-        } else {
-            ++plan.lampsSkipped;
-        }
-    }
-    for (std::size_t i = 0; i < scene.directionalLights.size(); ++i) {
-        const DirectionalLight& lamp = scene.directionalLights[i];
-        if (anything && lamp.illuminanceLux > 0.0 && lamp.color != glm::vec3(0.0F)) {
-            plan.directionalLights.push_back(int(i));
-        } else {
-            ++plan.lampsSkipped;
-        }
-    }
-}
-
 }  // namespace
 
 bool ShadowKey::operator==(const ShadowKey& other) const {
@@ -257,7 +207,7 @@ bool ShadowKey::operator==(const ShadowKey& other) const {
 }
 
 FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSettings& settings,
-                    const FrameCache& cache) {
+                    const FrameCache& cache, const LitRegions& lit) {
     FramePlan plan;
     plan.settings = settings;
     plan.camera = camera;
@@ -269,9 +219,8 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
         visible[i] = viewTouches(clip, plan.draws[i].worldBounds);
     }
 
-    const auto outlines = planLamps(scene, visible, plan);
-    planOtherLamps(scene, visible, plan);
-    planShadowMaps(scene, cache, plan);
+    const auto outlines = planLamps(scene, lit, visible, plan);
+    planShadowMaps(scene, cache, lit, plan);
     planForward(scene, visible, plan);
     if (settings.haze.scatteringPerMetre > 0.0) {
         planBeams(scene, outlines, plan);
@@ -322,6 +271,25 @@ std::string FramePlan::describe() const {
         add(tonemap->ev100 ? "tonemap" : "exposure tonemap");
     }
     return line.empty() ? "nothing" : line;
+}
+
+int FramePlan::beamTilesTotal() const {
+    return ((settings.width + gpu::kTileSide - 1) / gpu::kTileSide) *
+           ((settings.height + gpu::kTileSide - 1) / gpu::kTileSide);
+}
+
+int FramePlan::beamTilesDrawn() const {
+    if (!beams || kept) {
+        return 0;
+    }
+    if (beams->settings.method == BeamMethod::kPlanes) {
+        return beamTilesTotal();  // they go through the whole view
+    }
+    std::set<std::pair<int, int>> places;  // a tile may be there once for each of its lamps
+    for (const gpu::BeamTile& tile : beams->tiles.tiles) {
+        places.emplace(tile.place.x, tile.place.y);
+    }
+    return int(places.size());
 }
 
 std::uint64_t FramePlan::beamSamples() const {

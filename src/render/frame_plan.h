@@ -9,6 +9,7 @@
 #include "render/beam_tiles.h"
 #include "render/draw_list.h"
 #include "render/frame_settings.h"
+#include "render/plan_lamps.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 
@@ -78,8 +79,12 @@ struct FramePlan {
     std::vector<int> pointLights;        ///< into Scene::pointLights
     std::vector<int> directionalLights;  ///< into Scene::directionalLights
     int lampsSkipped = 0;                ///< lamps of all kinds that do not reach the view
+    SkippedLamps skipped;                ///< the same by reason
     int lampsWithoutShadow = 0;          ///< spots with casters for which no shadow map is left
     ShadowMaps shadowMaps;
+    int shadowMapsNeedless = 0;  ///< spots in whose beam nothing stands that casts a shadow
+    int castersDrawn = 0;        ///< in all shadow maps of the frame, kept ones included
+    int castersCulled = 0;   ///< what casts shadows, but stands outside the cone of a map's lamp
     int shadowMapsKept = 0;  ///< as they were drawn for an earlier frame
     bool kept = false;       ///< the picture of the frame before: none of the passes below is run
 
@@ -94,10 +99,14 @@ struct FramePlan {
     std::string describe() const;
     /// Light samples the beams take, an upper bound known before drawing: sheets * pixels * lamps.
     std::uint64_t beamSamples() const;
+    /// Squares of the picture that beams are drawn in, and all there are.
+    int beamTilesDrawn() const;
+    int beamTilesTotal() const;
 };
 
+/// `lit`: where light maps let light through, where that is known.
 FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSettings& settings,
-                    const FrameCache& cache);
+                    const FrameCache& cache, const LitRegions& lit = {});
 
 /// What the next frame may use once the plan is drawn.
 void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cache);

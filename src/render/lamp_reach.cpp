@@ -85,6 +85,12 @@ glm::dmat4 lampFromWorld(const SpotLight& lamp) {
     return matrix;
 }
 
+std::vector<glm::dvec4> beamCorners(const SpotLight& lamp) {
+    std::vector<Corner> corners = endRing(lamp, !std::isfinite(lamp.rangeMetres));
+    corners.insert(corners.begin(), Corner(lamp.frame.position, 1.0));
+    return corners;
+}
+
 bool beamTouches(const SpotLight& lamp, const Bounds& worldBounds) {
     if (worldBounds.isEmpty()) {
         return false;

@@ -19,6 +19,10 @@ double drawnConeAngle(const SpotLight& lamp);
 /// Lamp space (apex at 0, x right, y up, z the depth along the beam) from world.
 glm::dmat4 lampFromWorld(const SpotLight& lamp);
 
+/// The beam's corners in homogeneous world coordinates, which enclose it: its apex, and the ring at
+/// its range, or in an unlimited beam the directions (w = 0) it goes on in.
+std::vector<glm::dvec4> beamCorners(const SpotLight& lamp);
+
 /// Whether a box may stand in the lamp's beam, its range included.
 bool beamTouches(const SpotLight& lamp, const Bounds& worldBounds);
 

@@ -31,7 +31,8 @@ void clear(const FrameTargets& targets) {
 
 }  // namespace
 
-Renderer::Renderer(const Scene& scene) : scene_(scene), gpuScene_(scene) {}
+Renderer::Renderer(const Scene& scene)
+    : scene_(scene), litRegions_(litRegions(scene)), gpuScene_(scene) {}
 
 const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
     FrameInputs inputs = frameInputs(scene_, camera, settings);
@@ -40,7 +41,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         return plan_;
     }
     drawn_.reset();
-    plan_ = planFrame(scene_, camera, settings, cache_);
+    plan_ = planFrame(scene_, camera, settings, cache_, litRegions_);
     if (!targets_ || !targets_->suit(settings)) {
         targets_.reset();
         targets_.emplace(settings);

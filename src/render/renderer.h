@@ -46,12 +46,14 @@ class Renderer {
         drawn_.reset();
     }
 
-  private:
-    void drawBeams(const BeamsWork& work);
-    /// Empty where no lamp has casters.
+    /// The layers that the last plan's lamps name; empty where no lamp has casters.
     const Texture2D& shadowMaps() const;
 
+  private:
+    void drawBeams(const BeamsWork& work);
+
     const Scene& scene_;
+    const LitRegions litRegions_;
     GpuScene gpuScene_;
     GpuFrame gpuFrame_;
     FrameCache cache_;

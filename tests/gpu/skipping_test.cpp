@@ -5,6 +5,8 @@
 
 #include "gl/counters.h"
 #include "gpu_test.h"
+#include "reference_beams.h"
+#include "support/random_stage.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
@@ -276,6 +278,73 @@ TEST_F(Skipping, WhateverChangesIsDrawn) {
     }
     settings_.display = true;
     EXPECT_FALSE(renderer.draw(camera_, settings_).kept);
+}
+
+// The lamps that are left out change nothing (that none of them would be seen is held against rays
+// in the unit tests), nor does leaving them out mix up those that stay.
+TEST_F(Skipping, SkippedLampsChangeNoPixel) {
+    settings_.width = 40;
+    settings_.height = 30;
+    int skipped = 0;
+    int kept = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const RandomStage stage(seed);
+        Renderer renderer(stage.scene);
+        const FramePlan plan = renderer.draw(stage.camera, settings_);
+        const Frame3 all = readBack(renderer);
+        Scene fewer = stage.scene;
+        fewer.spotLights.clear();
+        for (const PlannedLamp& lamp : plan.lamps) {
+            fewer.spotLights.push_back(stage.scene.spotLights[std::size_t(lamp.spot)]);
+        }
+        const Frame3 same = drawOnce(fewer, stage.camera, settings_);
+        EXPECT_EQ(all.image.values, same.image.values) << "seed " << seed;
+        EXPECT_EQ(countNotFinite(all), 0);
+        skipped += plan.lampsSkipped;
+        kept += int(plan.lamps.size());
+    }
+    EXPECT_GT(skipped, 60);
+    EXPECT_GT(kept, 60);
+}
+
+// The same lamp with its beam's place in the picture narrowed to what its light map lets through,
+// and with texels so faint at the map's edge that they add nothing but keep it from being narrowed.
+TEST_F(Skipping, ABlackRimIsLeftOutWithoutBeingMissed) {
+    settings_.width = 320;
+    settings_.height = 240;
+    settings_.beams.planes = 48;
+    for (const auto shape : {BeamShape::kCone, BeamShape::kPyramid}) {
+        Picture pictures[2];
+        int tiles[2];
+        for (int whole = 0; whole < 2; ++whole) {
+            Scene scene = scene_;
+            scene.spotLights[0] = makeSpot({0, 5, 0}, {0, 0, 0}, 0.5);
+            scene.spotLights[0].beamShape = shape;
+            const auto texel = [&](int x, int y) {
+                const bool edge = x == 127 || y == 127 || x == 0 || y == 0;
+                const glm::vec4 dark(0, 0, whole == 1 && edge ? 1.0F / 255.0F : 0.0F, 1);
+                return std::hypot(x - 63.5, y - 63.5) < 32.0 ? glm::vec4(1, 0.5, 0.2, 1) : dark;
+            };
+            useLightMap(scene, scene.spotLights[0], makeImage(128, 128, texel), 0.4);
+            pictures[whole] = drawnBeams(scene, camera_, settings_);
+            const FramePlan plan =
+                planFrame(scene, camera_, settings_, FrameCache(), litRegions(scene));
+            tiles[whole] = plan.beamTilesDrawn();
+        }
+        const double apart = relativeRmse(pictures[0], pictures[1]);
+        std::printf("tiles %d of %d, pictures %.6f apart\n", tiles[0], tiles[1], apart);
+        EXPECT_LT(tiles[0], 0.8 * tiles[1]);
+        EXPECT_LT(apart, 5e-4);
+    }
+}
+
+TEST_F(Skipping, ABlackLightMapMakesADarkLamp) {
+    useLightMap(scene_, scene_.spotLights[0],
+                makeImage(8, 8, [](int, int) { return glm::vec4(0, 0, 0, 1); }));
+    Renderer renderer(scene_);
+    const FramePlan& plan = renderer.draw(camera_, settings_);
+    EXPECT_EQ(plan.describe(), "forward");
+    EXPECT_EQ(plan.skipped.dark, 1);
 }
 
 TEST_F(Skipping, CountersAgreeWithOpenGl) {

@@ -44,6 +44,7 @@ struct RenderOptions {
     std::string stats;
     int repeat = 1;
     bool redraw = false;
+    bool still = false;
     bool verbose = false;
 };
 
@@ -105,14 +106,14 @@ std::uint64_t peakMemory() {
     return std::uint64_t(usage.ru_maxrss) * 1024;
 }
 
-RenderStats drawFrames(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
-                       int repeat, bool redraw) {
+RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& camera,
+                       const FrameSettings& settings, const RenderOptions& options) {
     RenderStats stats;
-    Progress progress("drawing", std::size_t(repeat));
-    for (int i = 0; i < repeat; ++i) {
-        if (redraw) {
+    Progress progress("drawing", std::size_t(options.repeat));
+    for (int i = 0; i < options.repeat; ++i) {
+        if (options.redraw) {
             renderer.forget();
-        } else {
+        } else if (!options.still) {
             renderer.redrawNextFrame();
         }
         const Clock::time_point start = Clock::now();
@@ -126,12 +127,10 @@ RenderStats drawFrames(Renderer& renderer, const Camera& camera, const FrameSett
         if (i == 0) {
             stats.plan = plan.describe();
         }
-        stats.lampsDrawn =
-            int(plan.lamps.size() + plan.pointLights.size() + plan.directionalLights.size());
-        stats.lampsSkipped = plan.lampsSkipped;
-        stats.samples = plan.beamSamples();
+        stats.framesKept += plan.kept ? 1 : 0;
         progress.step();
     }
+    countPlan(renderer.lastPlan(), scene, stats);
     stats.drawCalls = glCounters().drawCalls;
     stats.programsBuilt = glCounters().programsBuilt;
     stats.texturesMade = glCounters().texturesMade;
@@ -185,7 +184,7 @@ void render(const RenderOptions& options) {
     progress.reset();
     const double uploadMs = msSince(start);
 
-    RenderStats stats = drawFrames(renderer, camera, settings, options.repeat, options.redraw);
+    RenderStats stats = drawFrames(renderer, loaded.scene, camera, settings, options);
     if (renderer.lastPlan().lampsWithoutShadow > 0) {
         logWarning(std::to_string(renderer.lastPlan().lampsWithoutShadow) +
                    " lamps cast no shadows: more lamps have casters than there are shadow maps");
@@ -245,6 +244,10 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
         ->capture_default_str();
     command.add_flag("--redraw", options.redraw,
                      "with --repeat: draw the shadow maps anew in every frame");
+    command
+        .add_flag("--still", options.still,
+                  "with --repeat: keep the picture where nothing changed, as a viewer does")
+        ->excludes("--redraw");
     command.add_flag("--verbose", options.verbose,
                      "say which OpenGL is used, what is drawn and how long it takes");
 }

@@ -64,6 +64,28 @@ FrameTimes medianTimes(const std::vector<FrameTimes>& frames) {
     return result;
 }
 
+void countPlan(const FramePlan& plan, const Scene& scene, RenderStats& stats) {
+    stats.lampsDrawn =
+        int(plan.lamps.size() + plan.pointLights.size() + plan.directionalLights.size());
+    stats.lampsSkipped = plan.lampsSkipped;
+    stats.skipped = plan.skipped;
+    stats.lampsWithLightMap =
+        int(std::count_if(plan.lamps.begin(), plan.lamps.end(), [&](const PlannedLamp& lamp) {
+            return scene.spotLights[std::size_t(lamp.spot)].lightMap.has_value();
+        }));
+    stats.beamsDrawn = plan.beams && !plan.kept ? int(plan.beams->lamps.size()) : 0;
+    stats.tilesDrawn = plan.beamTilesDrawn();
+    stats.tilesTotal = plan.beamTilesTotal();
+    stats.surfacesDrawn = plan.forward && !plan.kept
+                              ? int(plan.forward->opaque.size() + plan.forward->blended.size())
+                              : 0;
+    stats.surfacesCulled = int(plan.draws.size()) - stats.surfacesDrawn;
+    stats.shadowMapsNeedless = plan.shadowMapsNeedless;
+    stats.castersDrawn = plan.castersDrawn;
+    stats.castersCulled = plan.castersCulled;
+    stats.samples = plan.beamSamples();
+}
+
 std::string describeTimes(const RenderStats& stats) {
     const FrameTimes times = medianTimes(stats.frames);
     std::string text = "  pass          cpu ms    gpu ms\n";
@@ -96,8 +118,23 @@ void writeStats(const std::filesystem::path& file, const RenderStats& stats) {
         {"counters",
          {{"lamps_drawn", stats.lampsDrawn},
           {"lamps_skipped", stats.lampsSkipped},
+          {"lamps_dark", stats.skipped.dark},
+          {"lamps_out_of_range", stats.skipped.outOfRange},
+          {"lamps_behind_camera", stats.skipped.behindCamera},
+          {"lamps_behind_scene", stats.skipped.behindScene},
+          {"lamps_outside_view", stats.skipped.outsideView},
+          {"lamps_with_light_map", stats.lampsWithLightMap},
+          {"beams_drawn", stats.beamsDrawn},
+          {"tiles_drawn", stats.tilesDrawn},
+          {"tiles_total", stats.tilesTotal},
+          {"surfaces_drawn", stats.surfacesDrawn},
+          {"surfaces_culled", stats.surfacesCulled},
+          {"frames_kept", stats.framesKept},
           {"shadow_maps_drawn", stats.shadowMapsDrawn},
           {"shadow_maps_kept", stats.shadowMapsKept},
+          {"shadow_maps_needless", stats.shadowMapsNeedless},
+          {"casters_drawn", stats.castersDrawn},
+          {"casters_culled", stats.castersCulled},
           {"draw_calls", stats.drawCalls},
           {"samples", stats.samples},
           {"programs_built", stats.programsBuilt},

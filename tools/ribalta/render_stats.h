@@ -23,9 +23,20 @@ struct RenderStats {
     std::string renderer;  ///< OpenGL's name of it
     std::vector<FrameTimes> frames;
     std::vector<LoadedScene::Stage> load;
-    /// Of the last frame.
+    /// Of the last frame, unless said otherwise.
     int lampsDrawn = 0;
     int lampsSkipped = 0;
+    SkippedLamps skipped;
+    int lampsWithLightMap = 0;
+    int beamsDrawn = 0;
+    int tilesDrawn = 0;
+    int tilesTotal = 0;
+    int surfacesDrawn = 0;
+    int surfacesCulled = 0;
+    int shadowMapsNeedless = 0;
+    int castersDrawn = 0;
+    int castersCulled = 0;
+    int framesKept = 0;           ///< over all frames
     int shadowMapsDrawn = 0;      ///< over all frames
     int shadowMapsKept = 0;       ///< over all frames
     std::uint64_t drawCalls = 0;  ///< over all frames
@@ -38,6 +49,9 @@ struct RenderStats {
 
 /// The medians over the frames, pass by pass; a pass that only some frames had counts in those.
 FrameTimes medianTimes(const std::vector<FrameTimes>& frames);
+
+/// Takes over what the plan of the last frame says.
+void countPlan(const FramePlan& plan, const Scene& scene, RenderStats& stats);
 
 /// A table for people.
 std::string describeTimes(const RenderStats& stats);
