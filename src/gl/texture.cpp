@@ -16,6 +16,8 @@ std::size_t bytesPerTexel(GLenum format) {
             return 16;
         case GL_RGBA16F:
             return 8;
+        case GL_R8:
+            return 1;
         case GL_RGBA8:
         case GL_SRGB8_ALPHA8:
         case GL_DEPTH_COMPONENT32F:
@@ -103,6 +105,12 @@ void Texture2D::setSampling(GLenum minify, GLenum magnify, GLenum wrapS, GLenum 
 void Texture2D::read(GLenum format, GLenum type, std::span<std::byte> bytes) const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(name(), 0, format, type, GLsizei(bytes.size()), bytes.data());
+}
+
+void Texture2D::readLayer(int layer, GLenum format, GLenum type, std::span<std::byte> bytes) const {
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureSubImage(name(), 0, 0, 0, layer, size_.width, size_.height, 1, format, type,
+                         GLsizei(bytes.size()), bytes.data());
 }
 
 int Texture2D::fullLevels(int width, int height) {

@@ -39,6 +39,8 @@ class Texture2D {
     void setSampling(GLenum minify, GLenum magnify, GLenum wrapS, GLenum wrapT);
     /// Reads the whole of level 0 of a plain texture; waits for the GPU.
     void read(GLenum format, GLenum type, std::span<std::byte> bytes) const;
+    /// The same of one layer of an array.
+    void readLayer(int layer, GLenum format, GLenum type, std::span<std::byte> bytes) const;
 
     GLuint name() const { return handle_.name(); }
     const Size& size() const { return size_; }

@@ -28,6 +28,9 @@ constexpr double kMaxPanelDepth = 12.0;
 constexpr double kLostDepth = 45.0;
 /// Halvings after which a panel is taken as it is; its error says how good that is.
 constexpr int kMaxHalvings = 40;
+/// Evaluations after which panels are no longer halved: along a cone's very edge the falloff is
+/// rounding alone, which no polynomial follows.
+constexpr int kMaxEvaluations = 400000;
 
 static_assert(int(PhaseFunction::Kind::kGibbons) == shader::kPhaseGibbons &&
               int(PhaseFunction::Kind::kIsotropic) == shader::kPhaseIsotropic &&
@@ -184,16 +187,17 @@ class SegmentIntegral {
         if (!(place.length() > 0.0) || depthFirst - leastDepth_ > kLostDepth) {
             return;
         }
-        const bool canHalve = halvings < kMaxHalvings;
+        const bool canHalve =
+            halvings < kMaxHalvings && result_.evaluations < kMaxEvaluations;
         if (!(depthLast - depthFirst > kMaxPanelDepth && canHalve)) {
             const SmoothPanel panel = fitPanel(smooth, place);
             result_.evaluations += int(SmoothPanel::kNodes);
             peak_ = std::max(peak_, panel.largest);
-            // What counts is the error against the panel's own light, or against a thousandth of
+            // What counts is the error against the panel's own light, or against 1e-5 of
             // the brightest where the panel adds next to nothing.
             const double mean = panel.integral() / place.length();
             const double own = std::max({panel.smallest, 0.1 * mean, 0.0});
-            if (panel.error() <= relative_ * std::max(own, 1e-3 * peak_) || !canHalve) {
+            if (panel.error() <= relative_ * std::max(own, 1e-5 * peak_) || !canHalve) {
                 take(panel, own, map);
                 return;
             }

@@ -13,6 +13,7 @@
 #include "compare_command.h"
 #include "inspect_command.h"
 #include "process.h"
+#include "reference_command.h"
 #include "render_command.h"
 
 namespace {
@@ -72,6 +73,7 @@ int run(int argc, char** argv) {
     ribalta::addRenderCommand(app);
     ribalta::addInspectCommand(app);
     ribalta::addCompareCommand(app);
+    ribalta::addReferenceCommand(app);
     if (const char* const empty = findEmptyValue(argc, argv)) {
         return fail(std::string(empty) + " has no value; see ribalta --help", kUsage);
     }

@@ -12,8 +12,8 @@
 #include "base/progress.h"
 #include "gl/context.h"
 #include "gl/counters.h"
-#include "gltf/load_gltf.h"
 #include "haze_options.h"
+#include "load_scene.h"
 #include "options.h"
 #include "render/renderer.h"
 #include "render_outputs.h"
@@ -82,24 +82,6 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
     return settings;
 }
 
-void tellOfScene(const LoadedScene& loaded) {
-    for (const Report::Entry& entry : loaded.report.entries()) {
-        const std::string line =
-            std::string(name(entry.kind)) + ": " + entry.place.text() + ": " + entry.message;
-        // What is mended changes the picture and is always said; the rest is for --verbose, and
-        // for `ribalta inspect`.
-        if (entry.kind == Report::Kind::kRepaired) {
-            logWarning(line);
-        } else {
-            logVerbose(line);
-        }
-    }
-    const Scene& scene = loaded.scene;
-    if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty()) {
-        logWarning("the scene has no lamps; only ambient light is drawn (see --ambient)");
-    }
-}
-
 std::uint64_t peakMemory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -138,11 +120,6 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
     return stats;
 }
 
-LoadedScene load(const std::string& scene) {
-    const Progress progress("loading");
-    return loadGltf(scene);
-}
-
 // How long each part took, and what was drawn with.
 void tellOfFrames(const std::string& scene, const RenderStats& stats) {
     logVerbose("plan: " + std::filesystem::path(scene).stem().string() + ": " + stats.plan);
@@ -168,8 +145,7 @@ void render(const RenderOptions& options) {
     const FrameSettings settings = settingsFrom(options, outputs);
     checkOutputs(outputs);
 
-    const LoadedScene loaded = load(options.scene);
-    tellOfScene(loaded);
+    const LoadedScene loaded = loadScene(options.scene);
     const Camera camera = chooseCamera(loaded.scene, options.camera,
                                        double(settings.width) / double(settings.height));
 
