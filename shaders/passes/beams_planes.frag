@@ -17,8 +17,11 @@ in vec3 viewPosition;
 #ifdef CELLS
 in float smoothFactor;
 #endif
+#ifdef EIGHT_BIT
+layout(location = 1) uniform float fullScale;  // cd/m2 that count as the highest code value
+#endif
 layout(location = 0) out vec4 radiance;
-#ifdef BEAMS_OUTPUT
+#if defined(BEAMS_OUTPUT) && !defined(EIGHT_BIT)
 layout(location = 1) out vec4 beamsOutput;
 #endif
 
@@ -56,8 +59,12 @@ vec3 sheetLight() {
 
 void main() {
     vec3 light = sheetLight();
+#ifdef EIGHT_BIT
+    radiance = vec4(light / fullScale, 0.0);
+#else
     radiance = vec4(light, 0.0);
 #ifdef BEAMS_OUTPUT
     beamsOutput = vec4(light, 0.0);
+#endif
 #endif
 }

@@ -16,11 +16,15 @@ const int kSpotConesSlot = 3;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
+const int kSampledCellsSlot = 8;
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;
 const int kDepthUnit = 2;
 const int kColorUnit = 3;
+const int kBeamLatticeUnit = 4;
+const int kBeamCellsUnit = 5;
+const int kBeamsOutputUnit = 6;
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
 // Vertex attributes.
 const int kPositionAttribute = 0;

@@ -25,8 +25,14 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
 }
 
 void Buffer::write(const std::string& label, std::span<const std::byte> bytes) {
-    if (handle_ && bytes.size() <= size_) {
+    reserve(label, bytes.size());
+    if (!bytes.empty()) {
         glNamedBufferSubData(handle_.name(), 0, GLsizeiptr(bytes.size()), bytes.data());
+    }
+}
+
+void Buffer::reserve(const std::string& label, std::size_t size) {
+    if (handle_ && size <= size_) {
         return;
     }
     GLuint name = 0;
@@ -34,12 +40,9 @@ void Buffer::write(const std::string& label, std::span<const std::byte> bytes) {
     handle_ = Handle<deleteBuffer>(name);
     countRelease(size_);
     // A buffer of no bytes is an error in OpenGL, and an empty list is none here.
-    size_ = std::max<std::size_t>(bytes.size(), 16);
+    size_ = std::max<std::size_t>(size, 16);
     countAllocation(size_);
     glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    if (!bytes.empty()) {
-        glNamedBufferSubData(name, 0, GLsizeiptr(bytes.size()), bytes.data());
-    }
     glObjectLabel(GL_BUFFER, name, GLsizei(label.size()), label.c_str());
 }
 

@@ -28,6 +28,8 @@ class Buffer {
 
     /// Replaces the content; memory is taken anew only where `bytes` does not fit.
     void write(const std::string& label, std::span<const std::byte> bytes);
+    /// Makes room for `size` bytes; the content is lost where memory is taken anew.
+    void reserve(const std::string& label, std::size_t size);
     /// Shows shaders element `index` of a buffer of spreadForUniforms in a uniform block.
     void bindUniform(int slot, int index) const;
     /// Copies the first bytes back; waits for the GPU.

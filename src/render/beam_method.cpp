@@ -1,22 +1,24 @@
 #include "render/beam_method.h"
 
+#include <algorithm>
 #include <array>
+
+#include "base/check.h"
 
 namespace ribalta {
 namespace {
 
-constexpr std::array kMethods = {BeamMethod::kPlanes, BeamMethod::kClipped};
+constexpr std::array kMethods = {BeamMethod::kPlanes, BeamMethod::kMarch, BeamMethod::kClipped,
+                                 BeamMethod::kAdaptive};
+constexpr std::array<std::string_view, kMethods.size()> kNames = {"planes", "march", "clipped",
+                                                                  "adaptive"};
 
 }  // namespace
 
 std::string_view name(BeamMethod method) {
-    switch (method) {
-        case BeamMethod::kPlanes:
-            return "planes";
-        case BeamMethod::kClipped:
-            break;
-    }
-    return "clipped";
+    const auto place = std::find(kMethods.begin(), kMethods.end(), method);
+    CHECK(place != kMethods.end());
+    return kNames.at(std::size_t(place - kMethods.begin()));
 }
 
 std::optional<BeamMethod> beamMethodNamed(std::string_view wanted) {

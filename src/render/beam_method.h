@@ -8,8 +8,10 @@
 namespace ribalta {
 
 enum class BeamMethod {
-    kClipped,  ///< sheets confined to the part of each pixel's ray inside the beam
-    kPlanes,   ///< the thesis's view-aligned planes over the camera's depth range
+    kPlanes,    ///< the thesis's view-aligned planes over the camera's depth range
+    kMarch,     ///< even steps along the part of each pixel's ray inside the beam, lamp by lamp
+    kClipped,   ///< sheets there, even in the lamp's projection, all lamps of a pixel at once
+    kAdaptive,  ///< `clipped` at every fourth pixel each way, and where the light bends in between
 };
 
 /// As on the command line, in reports and in plans.

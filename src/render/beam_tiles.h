@@ -17,4 +17,11 @@ struct BeamTiles {
 BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, int width,
                         int height);
 
+/// Marks the tiles that one of `outlines` touches as showing a thin beam.
+void markThinBeams(const std::vector<std::vector<glm::dvec2>>& outlines, int width, int height,
+                   BeamTiles& tiles);
+
+/// The same with a tile of its own for each of a tile's lamps, lamp after lamp.
+BeamTiles oneLampEach(const BeamTiles& tiles);
+
 }  // namespace ribalta

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/check.h"
+#include "optics/shader_lib.h"
 #include "render/lamp_reach.h"
 
 namespace ribalta {
@@ -162,6 +164,10 @@ void planPlanes(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
     }
     end = end > plan.camera.nearMetres ? end : plan.camera.nearMetres + kEmptySceneDepth;
     end = std::min(end, plan.camera.farMetres);
+    if (work.settings.eightBitBlending) {
+        CHECK(plan.settings.ev100.has_value());
+        work.fullScale = 1.0 / shader::exposureFromEv100(*plan.settings.ev100);
+    }
     const double near = plan.camera.nearMetres;
     work.firstDepth = near;
     work.spacingMetres = (end - near) / work.settings.planes;
@@ -170,6 +176,22 @@ void planPlanes(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
         const double length = work.spacingMetres * work.settings.planes;
         work.firstDepth = std::max(near, 0.5 * (near + end - length));
     }
+}
+
+// A lattice point every few pixels, and where beams are too thin for that, every pixel.
+void planLattice(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
+    constexpr double kThin = 3.0 * gpu::kLatticeStep;  // pixels
+    const int width = plan.settings.width;
+    const int height = plan.settings.height;
+    work.latticePoints = (glm::ivec2(width, height) + gpu::kLatticeStep - 1) / gpu::kLatticeStep;
+    work.ev100 = plan.settings.ev100;
+    std::vector<std::vector<glm::dvec2>> outlines;
+    for (const int lamp : work.lamps) {
+        const int spot = plan.lamps[std::size_t(lamp)].spot;
+        outlines.push_back(thinBeamOutline(scene.spotLights[std::size_t(spot)], plan.camera, width,
+                                           height, kThin));
+    }
+    markThinBeams(outlines, width, height, work.tiles);
 }
 
 void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& outlines,
@@ -194,6 +216,10 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
     if (work.settings.method == BeamMethod::kPlanes) {
         planPlanes(scene, plan, work);
         work.tiles = {};
+    } else if (work.settings.method == BeamMethod::kMarch) {
+        work.tiles = oneLampEach(work.tiles);
+    } else if (work.settings.method == BeamMethod::kAdaptive) {
+        planLattice(scene, plan, work);
     }
     plan.beams = std::move(work);
 }

@@ -60,10 +60,13 @@ struct ForwardWork {
 struct BeamsWork {
     BeamSettings settings;
     PhaseFunction::Kind phase = PhaseFunction::Kind::kGibbons;
-    std::vector<int> lamps;      ///< into FramePlan::lamps
-    BeamTiles tiles;             ///< clipped only; their lists index FramePlan::lamps
-    double firstDepth = 0.0;     ///< planes only: metres along the view axis
-    double spacingMetres = 0.0;  ///< planes only
+    std::vector<int> lamps;       ///< into FramePlan::lamps
+    BeamTiles tiles;              ///< all but planes; their lists index FramePlan::lamps
+    glm::ivec2 latticePoints{0};  ///< adaptive only
+    std::optional<double> ev100;  ///< adaptive only; none: found from the picture
+    double firstDepth = 0.0;      ///< planes only: metres along the view axis
+    double spacingMetres = 0.0;   ///< planes only
+    double fullScale = 0.0;       ///< planes in eight bits only: cd/m2 of the highest code value
     bool separateOutput = false;
 };
 

@@ -11,7 +11,9 @@ namespace ribalta {
 /// How the light in the haze is summed.
 struct BeamSettings {
     BeamMethod method = BeamMethod::kClipped;
-    int planes = 24;  ///< sheets a beam (clipped) or planes a frame (planes)
+    int planes = 24;  ///< sheets a beam, or planes a frame (planes)
+    /// `adaptive` only: how far a pixel may be off by interpolation, of the screen's full scale.
+    double tolerance = 0.02;
     /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
     /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.
     int cellsAcross = 0;
@@ -19,6 +21,9 @@ struct BeamSettings {
     /// `planes` only: distance between planes in metres; otherwise they are spread evenly from the
     /// near plane to the end of the scene. With it they lie around the middle of that range.
     std::optional<double> spacingMetres;
+    /// `planes` only: add their light up in eight bits, exposed but not tone mapped, as graphics
+    /// cards of 2007 had to. Needs FrameSettings::ev100.
+    bool eightBitBlending = false;
 
     bool operator==(const BeamSettings&) const = default;
 };

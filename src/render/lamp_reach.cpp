@@ -179,4 +179,29 @@ std::vector<glm::dvec2> beamOutline(const SpotLight& lamp, const Camera& camera,
     return convexHull(std::move(points));
 }
 
+std::vector<glm::dvec2> thinBeamOutline(const SpotLight& lamp, const Camera& camera, int width,
+                                        int height, double pixels) {
+    constexpr double kFirstMetres = 1e-3;
+    constexpr double kLastMetres = 1e5;
+    constexpr double kStep = 1.25;
+    const double pixelsAtUnit = 0.5 * height / viewHalfExtent(camera, width, height).y;
+    const double widening = 2.0 * std::tan(drawnConeAngle(lamp));
+    SpotLight thin = lamp;
+    thin.rangeMetres = 0.0;
+    const double last = std::min(lamp.rangeMetres, kLastMetres);
+    for (double z = kFirstMetres; z < last; z *= kStep) {
+        const glm::dvec3 point = lamp.frame.position + z * lamp.frame.forward();
+        const double depth =
+            camera.isOrthographic() ? 1.0 : glm::distance(point, camera.frame.position);
+        if (widening * z * pixelsAtUnit < pixels * depth) {
+            thin.rangeMetres = kStep * z;
+        }
+    }
+    if (thin.rangeMetres >= last) {
+        thin.rangeMetres = lamp.rangeMetres;
+    }
+    return thin.rangeMetres > 0.0 ? beamOutline(thin, camera, width, height)
+                                  : std::vector<glm::dvec2>();
+}
+
 }  // namespace ribalta

@@ -34,4 +34,9 @@ bool viewTouches(const glm::dmat4& clipFromWorld, const Bounds& worldBounds);
 std::vector<glm::dvec2> beamOutline(const SpotLight& lamp, const Camera& camera, int width,
                                     int height);
 
+/// beamOutline of the part of the beam, from the lamp on, that is less than `pixels` wide in the
+/// picture at its far end.
+std::vector<glm::dvec2> thinBeamOutline(const SpotLight& lamp, const Camera& camera, int width,
+                                        int height, double pixels);
+
 }  // namespace ribalta

@@ -69,7 +69,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     if (plan_.tonemap) {
         timer_.begin("tonemap");
         const DebugGroup group("tonemap");
-        madeOnFirstUse(exposure_).draw(*plan_.tonemap, *targets_);
+        madeOnFirstUse(exposure_).draw(plan_.tonemap->ev100, targets_->color);
         madeOnFirstUse(tonemap_).draw(*targets_);
     }
     timer_.end();
@@ -81,6 +81,8 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
 void Renderer::drawBeams(const BeamsWork& work) {
     if (work.settings.method == BeamMethod::kPlanes) {
         madeOnFirstUse(planeBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
+    } else if (work.settings.method == BeamMethod::kAdaptive) {
+        madeOnFirstUse(adaptiveBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
     } else {
         madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
     }

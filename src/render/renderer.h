@@ -11,6 +11,7 @@
 #include "render/frame_targets.h"
 #include "render/gpu_frame.h"
 #include "render/gpu_scene.h"
+#include "render/passes/beams_adaptive.h"
 #include "render/passes/beams_clipped.h"
 #include "render/passes/beams_planes.h"
 #include "render/passes/exposure.h"
@@ -63,6 +64,7 @@ class Renderer {
     std::optional<FrameTargets> targets_;
     std::optional<ShadowMapPass> shadowMapPass_;
     std::optional<ForwardPass> forward_;
+    std::optional<AdaptiveBeamsPass> adaptiveBeams_;
     std::optional<ClippedBeamsPass> clippedBeams_;
     std::optional<PlaneBeamsPass> planeBeams_;
     std::optional<ExposurePass> exposure_;

@@ -36,6 +36,7 @@ struct RenderOptions {
     HazeOptions haze;
     std::string beams = "clipped";
     int planes = 24;
+    double tolerance = BeamSettings{}.tolerance;
     std::string cells;
     std::optional<double> spacing;
     std::string exposure = "auto";
@@ -45,6 +46,7 @@ struct RenderOptions {
     int repeat = 1;
     bool redraw = false;
     bool still = false;
+    bool eightBit = false;
     bool verbose = false;
 };
 
@@ -64,18 +66,24 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
     settings.haze = options.haze.parsed();
     settings.beams.method = beamMethodNamed(options.beams).value();
     settings.beams.planes = options.planes;
+    settings.beams.tolerance = options.tolerance;
     settings.beams.spacingMetres = options.spacing;
+    settings.beams.eightBitBlending = options.eightBit;
     if (!options.cells.empty()) {
         const PictureSize cells = parseCells(options.cells);
         settings.beams.cellsAcross = cells.width;
         settings.beams.cellsDown = cells.height;
     }
     const bool planes = settings.beams.method == BeamMethod::kPlanes;
-    if (!planes && (options.spacing || !options.cells.empty())) {
-        throw CLI::ValidationError("--beams", "--dt and --cells belong to --beams planes");
+    if (!planes && (options.spacing || options.eightBit || !options.cells.empty())) {
+        throw CLI::ValidationError("--beams",
+                                   "--dt, --cells and --eight-bit belong to --beams planes");
     }
     settings.ambientLux = options.ambient;
     settings.ev100 = parseExposure(options.exposure);
+    if (options.eightBit && !settings.ev100) {
+        throw CLI::ValidationError("--eight-bit", "needs an exposure: give --exposure EV100");
+    }
     settings.display = outputs.wantsPng() || outputs.files.empty();
     settings.beamsOutput = outputs.layers.beams;
     settings.normalOutput = outputs.layers.normal;
@@ -243,6 +251,13 @@ void addBeamOptions(CLI::App& command, RenderOptions& options) {
         ->check(CLI::Range(1, 65536).description(""))
         ->capture_default_str();
     command
+        .add_option("--tolerance", options.tolerance,
+                    "with adaptive: how far a pixel may be off, as a share of the screen's full "
+                    "scale, 0..1")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.0, 1.0).description(""))
+        ->capture_default_str();
+    command
         .add_option("--cells", options.cells,
                     "with planes: cells, 1..1024 each way, on whose corners the smooth factor is "
                     "evaluated (default: at every pixel)")
@@ -252,6 +267,9 @@ void addBeamOptions(CLI::App& command, RenderOptions& options) {
                     "with planes: their distance in metres (default: spread over the scene)")
         ->type_name("METRES")
         ->check(expectPositive, "");
+    command.add_flag("--eight-bit", options.eightBit,
+                     "with planes: add their light up in eight bits, as graphics cards had to in "
+                     "2007; needs --exposure EV100");
 }
 
 }  // namespace

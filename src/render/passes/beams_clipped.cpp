@@ -1,53 +1,23 @@
 #include "render/passes/beams_clipped.h"
 
-#include <shared/slots.h>
-
-#include "gl/counters.h"
-#include "gl/pipeline_state.h"
 #include "render/beam_program.h"
 
 namespace ribalta {
 
-ClippedBeamsPass::ClippedBeamsPass() {
-    GLuint array = 0;
-    glCreateVertexArrays(1, &array);
-    vertexArray_ = Handle<deleteVertexArray>(array);
-    GLuint sampler = 0;
-    glCreateSamplers(1, &sampler);
-    depthSampler_ = Handle<deleteSampler>(sampler);
-    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
 void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
                             const Texture2D& shadowMaps, const FrameTargets& targets) {
-    Program& program = programs_[{work.phase, work.separateOutput}];
+    Program& program = programs_[{work.phase, work.separateOutput, work.settings.method}];
     if (!program) {
-        program =
-            Program({"passes/beams_clipped.vert", "passes/beams_clipped.frag"}, beamDefines(work));
+        std::vector<std::string> defines = beamDefines(work);
+        if (work.settings.method == BeamMethod::kMarch) {
+            defines.emplace_back("EVEN_STEPS");
+        }
+        program = Program({"passes/beams_tiles.vert", "passes/beams_clipped.frag"}, defines);
     }
-    const std::vector<gpu::BeamSettings> settings = {describeBeams(work)};
-    settings_.write("beam settings", bytesOf(settings));
-    tiles_.write("beam tiles", bytesOf(work.tiles.tiles));
-    tileLamps_.write("lamps of the beam tiles", bytesOf(work.tiles.lamps));
-    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kBeamSettingsSlot, settings_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTilesSlot, tiles_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTileLampsSlot, tileLamps_.name());
-    glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
-    glBindSampler(gpu::kShadowMapsUnit, depthSampler_.name());
-    glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
-    glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
-
+    inputs_.bind(work, gpuScene, shadowMaps, targets);
     targets.haze.bind();
-    PipelineState state;
-    state.program = &program;
-    state.vertexArray = vertexArray_.name();
-    state.blend = Blend::kAdd;
-    apply(state);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(work.tiles.tiles.size()));
-    ++glCounters().drawCalls;
-    glBindSampler(gpu::kShadowMapsUnit, 0);
+    inputs_.drawTiles(program, Blend::kAdd);
+    inputs_.unbind();
 }
 
 }  // namespace ribalta

@@ -1,32 +1,27 @@
-// Beams, method `clipped`: one pass over the tiles that beams cover, all lamps of a pixel summed in
-// single precision and written once.
+// Beams, methods `clipped` and `march`: one pass over the tiles that beams cover, at every pixel.
 #pragma once
 
 #include <map>
+#include <tuple>
 
-#include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
 #include "render/gpu_scene.h"
+#include "render/sheet_inputs.h"
 
 namespace ribalta {
 
 class ClippedBeamsPass {
   public:
-    ClippedBeamsPass();
     void draw(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
               const FrameTargets& targets);
 
   private:
-    std::map<std::pair<PhaseFunction::Kind, bool>, Program>
-        programs_;  ///< by phase function and separate output
-    Handle<deleteVertexArray> vertexArray_;
-    Handle<deleteSampler> depthSampler_;  ///< reads shadow maps as depths, without comparing
-    Buffer settings_;
-    Buffer tiles_;
-    Buffer tileLamps_;
+    /// By phase function, separate output and method.
+    std::map<std::tuple<PhaseFunction::Kind, bool, BeamMethod>, Program> programs_;
+    SheetInputs inputs_;
 };
 
 }  // namespace ribalta

@@ -12,6 +12,7 @@ namespace ribalta {
 namespace {
 
 constexpr GLint kLampIndex = 0;
+constexpr GLint kFullScale = 1;
 
 }  // namespace
 
@@ -24,11 +25,15 @@ PlaneBeamsPass::PlaneBeamsPass() {
 void PlaneBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
                           const Texture2D& shadowMaps, const FrameTargets& targets) {
     const bool cells = work.settings.cellsAcross > 0;
-    Program& program = programs_[{work.phase, work.separateOutput, cells}];
+    const bool eightBit = work.settings.eightBitBlending;
+    Program& program = programs_[{work.phase, work.separateOutput, cells, eightBit}];
     if (!program) {
         std::vector<std::string> defines = beamDefines(work);
         if (cells) {
             defines.emplace_back("CELLS");
+        }
+        if (eightBit) {
+            defines.emplace_back("EIGHT_BIT");
         }
         program = Program({"passes/beams_planes.vert", "passes/beams_planes.frag"}, defines);
     }
@@ -38,7 +43,15 @@ void PlaneBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
     glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
     glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
 
-    targets.hazeWithDepth.bind();
+    if (eightBit) {
+        makeEightBitTarget(targets);
+        codesWithDepth_.bind();
+        const float black[] = {0.0F, 0.0F, 0.0F, 0.0F};
+        glClearBufferfv(GL_COLOR, 0, black);
+        glProgramUniform1f(program.name(), kFullScale, float(work.fullScale));
+    } else {
+        targets.hazeWithDepth.bind();
+    }
     PipelineState state;
     state.program = &program;
     state.vertexArray = vertexArray_.name();
@@ -52,6 +65,39 @@ void PlaneBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
         glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * cellCount, work.settings.planes);
         ++glCounters().drawCalls;
     }
+    if (eightBit) {
+        addEightBits(work, targets);
+    }
+}
+
+void PlaneBeamsPass::makeEightBitTarget(const FrameTargets& targets) {
+    const Texture2D::Size size = targets.color.size();
+    if (codes_ && codes_.size().width == size.width && codes_.size().height == size.height &&
+        depthOfCodes_ == targets.depth.name()) {
+        return;
+    }
+    codes_ = Texture2D("eight-bit beams", GL_RGBA8, {size.width, size.height, 0, 1});
+    codesWithDepth_ = Framebuffer("eight-bit beams", {&codes_}, &targets.depth);
+    depthOfCodes_ = targets.depth.name();
+}
+
+void PlaneBeamsPass::addEightBits(const BeamsWork& work, const FrameTargets& targets) {
+    Program& program = addPrograms_[work.separateOutput];
+    if (!program) {
+        program = Program({"passes/full_screen.vert", "passes/beams_planes_eight_bit.frag"},
+                          work.separateOutput ? std::vector<std::string>{"BEAMS_OUTPUT"}
+                                              : std::vector<std::string>{});
+    }
+    glProgramUniform1f(program.name(), kFullScale, float(work.fullScale));
+    targets.haze.bind();
+    PipelineState state;
+    state.program = &program;
+    state.vertexArray = vertexArray_.name();
+    state.blend = Blend::kAdd;
+    apply(state);
+    glBindTextureUnit(gpu::kColorUnit, codes_.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ++glCounters().drawCalls;
 }
 
 }  // namespace ribalta

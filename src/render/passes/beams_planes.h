@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "gl/buffer.h"
+#include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "render/frame_plan.h"
@@ -21,8 +22,17 @@ class PlaneBeamsPass {
               const FrameTargets& targets);
 
   private:
-    /// By phase function, separate output and whether the smooth factor is evaluated on cells.
-    std::map<std::tuple<PhaseFunction::Kind, bool, bool>, Program> programs_;
+    void makeEightBitTarget(const FrameTargets& targets);
+    /// Adds the eight-bit sum to the picture.
+    void addEightBits(const BeamsWork& work, const FrameTargets& targets);
+
+    /// By phase function, separate output, whether the smooth factor is evaluated on cells, and
+    /// whether light is added up in eight bits.
+    std::map<std::tuple<PhaseFunction::Kind, bool, bool, bool>, Program> programs_;
+    std::map<bool, Program> addPrograms_;  ///< by separate output; only for eight bits
+    Texture2D codes_;                      ///< RGBA8; only for eight bits
+    Framebuffer codesWithDepth_;
+    GLuint depthOfCodes_ = 0;  ///< the depth texture it was made with
     Handle<deleteVertexArray> vertexArray_;
     Buffer settings_;
 };

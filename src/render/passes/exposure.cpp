@@ -1,25 +1,23 @@
 #include "render/passes/exposure.h"
 
-#include <vector>
-
 #include <shared/slots.h>
 
 #include "gl/counters.h"
 
 namespace ribalta {
 
-void ExposurePass::draw(const TonemapWork& work, const FrameTargets& targets) {
-    const std::vector<float> given = {float(work.ev100.value_or(0.0))};
+void ExposurePass::draw(const std::optional<double>& ev100, const Texture2D& color) {
+    const std::vector<float> given = {float(ev100.value_or(0.0))};
     exposure_.write("exposure", bytesOf(given));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kExposureSlot, exposure_.name());
-    if (work.ev100) {
+    if (ev100) {
         return;
     }
     if (!program_) {
-        program_ = Program({"passes/exposure.comp"});
+        program_ = Program({"passes/exposure.comp"}, defines_);
     }
     glUseProgram(program_.name());
-    glBindTextureUnit(gpu::kColorUnit, targets.color.name());
+    glBindTextureUnit(gpu::kColorUnit, color.name());
     glDispatchCompute(1, 1, 1);
     ++glCounters().drawCalls;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -1,21 +1,29 @@
 // Exposure: the EV100 that the tone mapping uses, given or found from the picture.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "render/frame_plan.h"
-#include "render/frame_targets.h"
+#include "gl/texture.h"
 
 namespace ribalta {
 
 class ExposurePass {
   public:
-    void draw(const TonemapWork& work, const FrameTargets& targets);
+    /// Defines of passes/exposure.comp.
+    explicit ExposurePass(std::vector<std::string> defines = {}) : defines_(std::move(defines)) {}
+
+    /// Leaves `ev100`, or without it one that suits `color` (cd/m2), bound at kExposureSlot.
+    void draw(const std::optional<double>& ev100, const Texture2D& color);
 
     /// The EV100 of the last draw; waits for the GPU.
     double ev100() const;
 
   private:
+    std::vector<std::string> defines_;
     Program program_;  ///< made when an exposure is first looked for
     Buffer exposure_;
 };

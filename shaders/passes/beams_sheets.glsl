@@ -1,0 +1,163 @@
+// Light of a beam along a view ray by the thesis's sheets (Pessoa 2007), confined to the part of the
+// ray inside the beam and even in the lamp's own projection. No picture and no pixels.
+// With EVEN_STEPS they are even along the ray instead: the plain march that others are measured by.
+#include "shared/slots.h"
+#include "shared/view.h"
+#include "shared/lamp.h"
+#include "shared/beams.h"
+#include "lib/haze.glsl"
+#include "lib/spot_light.glsl"
+#include "lib/phase_function.glsl"
+#include "lib/beam_geometry.glsl"
+#include "lib/beam_radiance.glsl"
+#include "lib/shadow_projection.glsl"
+#include "lib/view_ray.glsl"
+
+layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
+layout(std140, binding = kBeamSettingsSlot) uniform SettingsBlock { BeamSettings settings; };
+layout(std430, binding = kLampsSlot) readonly buffer SpotLamps { SpotLamp spotLamps[]; };
+layout(std430, binding = kTileLampsSlot) readonly buffer TileLamps { int tileLamps[]; };
+layout(binding = kShadowMapsUnit) uniform sampler2DArray shadowMaps;
+layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
+layout(binding = kDepthUnit) uniform sampler2D depthMap;
+
+/// What a pixel sees of the haze: light from begin to end metres along the ray, in view space.
+struct PixelRay {
+    vec3 origin;
+    vec3 direction;
+    float begin;
+    float end;
+};
+
+/// Distance along the ray of a pixel to the surface there, in metres; a little before it, so that no
+/// sheet lies in it, and where there is none, far enough.
+float pixelRayEnd(float depth, vec3 direction) {
+    float metres = viewDistance(depth, view.depthTerms, view.halfExtent.z);
+    return min(metres * (1.0 - 1.0e-4), kEndOfBeams) / -direction.z;
+}
+
+PixelRay pixelRay(ivec2 pixel) {
+    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) * view.picture.zw - 1.0;
+    PixelRay ray;
+    ray.origin = viewRayOrigin(ndc, view.halfExtent);
+    ray.direction = viewRayDirection(ndc, view.halfExtent);
+    ray.begin = view.depthTerms.z / -ray.direction.z;
+    ray.end = pixelRayEnd(texelFetch(depthMap, pixel, 0).r, ray.direction);
+    return ray;
+}
+
+/// Level of the light map that neither a pixel nor a step between sheets steps over: slopeStep is the
+/// way across the map from one sheet to the next, rayWidth the width of the pixel's ray at unit depth
+/// of the lamp, in slopes.
+float lightMapLevel(SpotLamp lamp, vec2 slopeStep, float rayWidth) {
+    float texels = 0.5 * lamp.projection.x * float(lamp.layers.z);
+    // Half the step: sheets a little over a texel apart still see every feature.
+    float footprint = texels * max(0.5 * length(slopeStep), rayWidth);
+    return floor(max(log2(max(footprint, 1.0e-4)), 0.0) + 0.5);
+}
+
+/// Light of one lamp that reaches the eye along the ray; beamEnd is grown to where the ray leaves the
+/// beam, were there no surface.
+vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
+    vec3 origin = (lamp.lampFromView * vec4(ray.origin, 1.0)).xyz;
+    vec3 direction = mat3(lamp.lampFromView) * ray.direction;
+    float entry;
+    float exit;
+    float zFar = lamp.candela.w > 0.0 ? 1.0 / lamp.candela.w : 1.0e30;
+    bool pyramid = lamp.projection.w > 0.5;
+    float farthest = kEndOfBeams / -ray.direction.z;
+    bool hit = pyramid ? clipToPyramid(origin, direction, 1.0 / lamp.projection.x, kLensMetres, zFar,
+                                       ray.begin, farthest, entry, exit)
+                       : clipToCone(origin, direction, lamp.cone.z, lamp.cone.w, kLensMetres, zFar,
+                                    ray.begin, farthest, entry, exit);
+    beamEnd = hit ? max(beamEnd, exit) : beamEnd;
+    exit = min(exit, ray.end);
+    hit = hit && entry < exit;
+    vec3 first = origin + entry * direction;
+    vec3 last = origin + exit * direction;
+    float z0 = max(first.z, 0.5 * kLensMetres);
+    float z1 = max(last.z, 0.5 * kLensMetres);
+    vec2 slope0 = first.xy / z0;
+    vec2 slope1 = last.xy / z1;
+    float width = exit - entry;
+#ifdef EVEN_STEPS
+    float count = settings.planes.x;
+#else
+    // As many sheets as are asked for where the ray runs right across the beam, or far along it; fewer,
+    // in the same distance from each other, where it only cuts a corner.
+    float across = 0.5 * lamp.projection.x * length(slope1 - slope0);
+    float along = 1.0 - min(z0, z1) / max(z0, z1);
+    float count = settings.planes.x;
+#endif
+
+    float level = 0.0;
+    if (lamp.layers.y >= 0) {
+        float pixel = 2.0 * view.halfExtent.y * view.picture.w;
+        float nearer = view.halfExtent.z > 0.5 ? 1.0 : 0.5 * (entry + exit);
+        level = lightMapLevel(lamp, (slope1 - slope0) / count, pixel * nearer / max(z0, z1));
+    }
+
+    vec3 sum = vec3(0.0);
+    // A ray that misses takes one sample: the loop's end, not a branch, so that little is computed for
+    // it where both sides of a branch are run. The test stands last, since a round that only finds the
+    // end costs as much as any other there.
+    float stop = hit ? 1.0 : 0.0;
+    float x = 0.5 / count;
+    do {
+#ifdef EVEN_STEPS
+        float t = mix(entry, exit, x);
+        vec3 lampToPoint = origin + t * direction;
+        lampToPoint.z = max(lampToPoint.z, 0.5 * kLensMetres);
+        float depth = lampToPoint.z;
+        float inverseDepth = 1.0 / depth;
+        vec2 slope = lampToPoint.xy * inverseDepth;
+        float lampMetres = length(lampToPoint);
+        float weight = inverseSquare(lampMetres);
+#else
+        vec2 slope = mix(slope0, slope1, x);
+        float inverseDepth = mix(1.0 / z0, 1.0 / z1, x);
+        float depth = 1.0 / inverseDepth;
+        float t = entry + width * projectiveStep(x, z0, z1);
+        vec3 lampToPoint = vec3(slope * depth, depth);
+        float lampMetres = length(lampToPoint);
+        // dt / r^2 = (b - a) / (z0 z1) cos^2 dx, the first factor standing below.
+        float weight = 1.0 / (1.0 + dot(slope, slope));
+#endif
+        float phase = phaseFunction(PHASE_KIND, -dot(lampToPoint, direction) / lampMetres,
+                                    view.haze.z, view.haze.w);
+        float share = scatteredShare(phase, view.haze.x, view.haze.y, lampMetres, t) *
+                      rangeWindow(lampMetres, lamp.candela.w) * weight;
+        if (!pyramid) {
+            share *= coneFalloff(depth / lampMetres, lamp.cone.x, lamp.cone.y);
+        }
+        if (lamp.layers.x >= 0) {
+            vec3 at = shadowCoordinates(slope, inverseDepth, lamp.shadow.x, lamp.shadow.y);
+            ivec3 texel = ivec3(ivec2(at.xy * lamp.shadow.w), lamp.layers.x);
+            share *= texelFetch(shadowMaps, texel, 0).r <= at.z ? 1.0 : 0.0;
+        }
+        if (lamp.layers.y >= 0) {
+            vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);
+            sum += share * textureLod(lightMaps, vec3(uv, float(lamp.layers.y)), level).rgb;
+        } else {
+            sum += vec3(share);
+        }
+        x += 1.0 / count;
+    } while (x < stop);
+#ifdef EVEN_STEPS
+    float step = width / count;
+#else
+    float step = (width / z0) / (z1 * count);
+#endif
+    return hit ? sum * lamp.candela.rgb * step : vec3(0.0);
+}
+
+/// Light of a stretch of tileLamps: its first entry and their number, at least one.
+vec3 beamsRadiance(PixelRay ray, ivec2 lampRange, inout float beamEnd) {
+    vec3 sum = vec3(0.0);
+    int i = lampRange.x;
+    do {
+        sum += beamRadiance(spotLamps[tileLamps[i]], ray, beamEnd);
+        ++i;
+    } while (i < lampRange.x + lampRange.y);
+    return sum;
+}

@@ -1,0 +1,52 @@
+#include "render/sheet_inputs.h"
+
+#include <shared/slots.h>
+
+#include "gl/counters.h"
+#include "render/beam_program.h"
+
+namespace ribalta {
+
+SheetInputs::SheetInputs() {
+    GLuint array = 0;
+    glCreateVertexArrays(1, &array);
+    vertexArray_ = Handle<deleteVertexArray>(array);
+    GLuint sampler = 0;
+    glCreateSamplers(1, &sampler);
+    depthSampler_ = Handle<deleteSampler>(sampler);
+    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void SheetInputs::bind(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
+                       const FrameTargets& targets) {
+    const std::vector<gpu::BeamSettings> settings = {describeBeams(work)};
+    settings_.write("beam settings", bytesOf(settings));
+    tiles_.write("beam tiles", bytesOf(work.tiles.tiles));
+    tileLamps_.write("lamps of the beam tiles", bytesOf(work.tiles.lamps));
+    tileCount_ = int(work.tiles.tiles.size());
+    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kBeamSettingsSlot, settings_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTilesSlot, tiles_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTileLampsSlot, tileLamps_.name());
+    glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
+    glBindSampler(gpu::kShadowMapsUnit, depthSampler_.name());
+    glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
+    glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
+}
+
+void SheetInputs::unbind() {
+    glBindSampler(gpu::kShadowMapsUnit, 0);
+}
+
+void SheetInputs::drawTiles(const Program& program, Blend blend) const {
+    PipelineState state;
+    state.program = &program;
+    state.vertexArray = vertexArray_.name();
+    state.blend = blend;
+    apply(state);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, tileCount_);
+    ++glCounters().drawCalls;
+}
+
+}  // namespace ribalta
