@@ -260,6 +260,31 @@ struct ExactBeams::Stretch {
         return perMetre(metresAt(x), withMap) * (part.length() * (z0 / w) * (z1 / w));
     }
 
+    /// Where the cone's falloff reaches 1, and where a light map's filter goes over to the next
+    /// texels.
+    void addKinks(std::vector<double>& places) const {
+        const double drop = lamp.dropOuter - std::max(lamp.dropOuter - lamp.dropInner, kLeastRamp);
+        if (!lamp.pyramid && drop + cosShift > 0.0) {
+            const double wide = std::tan(2.0 * std::asin(std::sqrt(0.5 * (drop + cosShift))));
+            const Interval full = lamp.inside(origin, direction, part, wide, true);
+            if (full.first < full.last) {
+                places.push_back(placeOf(full.first));
+                places.push_back(placeOf(full.last));
+            }
+        }
+        if (!lamp.lightMap) {
+            return;
+        }
+        const glm::dvec2 from = lamp.lightMapUv(origin + part.first * direction);
+        const glm::dvec2 to = lamp.lightMapUv(origin + part.last * direction);
+        for (int axis = 0; axis < 2; ++axis) {
+            for (int texel = 0; from[axis] != to[axis] && texel < lightMapSide(); ++texel) {
+                const double centre = (texel + 0.5) / lightMapSide();
+                places.push_back((centre - from[axis]) / (to[axis] - from[axis]));
+            }
+        }
+    }
+
     /// Cuts so that not even a layer of a millimetre in a kilometre hides between two nodes.
     std::vector<double> cuts() const {
         std::vector<double> places;
@@ -271,6 +296,7 @@ struct ExactBeams::Stretch {
             places.push_back(
                 placeOf(part.first + depths / std::max(haze.extinctionPerMetre(), 1e-30)));
         }
+        addKinks(places);
         std::sort(places.begin(), places.end());
         return places;
     }

@@ -27,7 +27,7 @@ struct Options {
     double seconds = 20.0;
     std::uint64_t seed = 1;
     std::optional<int> cases;
-    std::optional<int> onlyCase;
+    std::optional<int> firstCase;
     std::string beams = "all";
     bool verbose = false;
 };
@@ -63,16 +63,14 @@ class Run {
     int run() {
         const auto start = std::chrono::steady_clock::now();
         const auto isOver = [&](int done) {
-            return options_.cases ? done >= *options_.cases
-                                  : std::chrono::steady_clock::now() - start >=
-                                        std::chrono::duration<double>(options_.seconds);
-        };
-        if (options_.onlyCase) {
-            check(makeSetUp(options_.seed, *options_.onlyCase));
-        } else {
-            for (int number = 0; !isOver(number); ++number) {
-                check(makeSetUp(options_.seed, number));
+            if (options_.cases || options_.firstCase) {
+                return done >= options_.cases.value_or(1);
             }
+            return std::chrono::steady_clock::now() - start >=
+                   std::chrono::duration<double>(options_.seconds);
+        };
+        for (int done = 0; !isOver(done); ++done) {
+            check(makeSetUp(options_.seed, options_.firstCase.value_or(0) + done));
         }
         print();
         return failed_;
@@ -82,6 +80,7 @@ class Run {
     void check(const SetUp& setUp) {
         if (options_.verbose) {
             std::printf("%s", describe(setUp).c_str());
+            std::fflush(stdout);  // a case that never ends is known by its numbers
         }
         bool failed = report(setUp, "all", "reference", checkReference(setUp));
         for (const BeamMethod method : methods_) {
@@ -156,7 +155,7 @@ int run(int argc, char** argv) {
     app.add_option("--seed", options.seed, "Which cases")->capture_default_str();
     app.add_option("--cases", options.cases, "How many cases, however long they take")
         ->check(CLI::PositiveNumber);
-    app.add_option("--case", options.onlyCase, "Only this case of the seed")
+    app.add_option("--case", options.firstCase, "This case of the seed, or the first of --cases")
         ->check(CLI::NonNegativeNumber);
     std::vector<std::string> names = {"all"};
     for (const BeamMethod method : allBeamMethods()) {
