@@ -269,6 +269,7 @@ Json toJson(const SweepRecord& record) {
             {"ev100", valueOrNull(record.ev100)},
             {"errors", errors},
             {"picture", record.picture},
+            {"reference", record.reference},
             {"difference", record.difference}};
 }
 
@@ -297,6 +298,7 @@ SweepRecord recordFromJson(const Json& json) {
         record.errors.push_back(errorFromJson(error));
     }
     record.picture = json.at("picture");
+    record.reference = json.at("reference");
     record.difference = json.at("difference");
     return record;
 }

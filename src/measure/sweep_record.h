@@ -62,6 +62,7 @@ struct SweepRecord {
     std::optional<double> ev100;           ///< at which errors are shown
     std::vector<SweepError> errors;
     std::string picture;     ///< file beside the results; empty: none
+    std::string reference;   ///< shown, of errors.front()
     std::string difference;  ///< from errors.front()'s reference
 
     double fps() const { return frameMs.median > 0.0 ? 1000.0 / frameMs.median : 0.0; }

@@ -128,11 +128,21 @@ std::set<std::string> frontKeys(const std::vector<SweepRecord>& records) {
     return keys;
 }
 
+// What was measured on, in words.
 std::string contextHtml(const Json& context) {
+    constexpr std::pair<const char*, const char*> kShown[] = {
+        {"renderer", "renderer"}, {"opengl", "OpenGL"},   {"cpu", "processor"},
+        {"num_cpus", "cores"},    {"system", "system"},   {"version", "ribalta"},
+        {"date", "date"},         {"command", "command"},
+    };
     std::string html = "<dl class=\"context\">\n";
-    for (const auto& [name, value] : context.items()) {
-        html += "<dt>" + escaped(name) + "</dt><dd>" +
-                escaped(value.is_string() ? value.get<std::string>() : value.dump()) + "</dd>\n";
+    for (const auto& [name, title] : kShown) {
+        if (context.contains(name)) {
+            const Json& value = context.at(name);
+            html += "<dt>" + std::string(title) + "</dt><dd>" +
+                    escaped(value.is_string() ? value.get<std::string>() : value.dump()) +
+                    "</dd>\n";
+        }
     }
     return html + "</dl>";
 }
@@ -278,6 +288,18 @@ std::string viewHtml(const std::string& view, const Records& records,
         chart("fps") + (hasErrors ? chart("error") : "") + "</div>\n";
     if (!hasErrors) {
         html += "<p class=\"note\">No reference was drawn, so there are no errors.</p>\n";
+    }
+    std::string reference;
+    std::string against;
+    for (const SweepRecord* record : records) {
+        if (reference.empty() && !record->errors.empty()) {
+            reference = imageTag(folder, record->reference, "the reference");
+            against = record->errors.front().against;
+        }
+    }
+    if (!reference.empty()) {
+        html += "<h3>reference by " + against + "</h3>\n<div class=\"pictures\"><figure>" +
+                reference + "</figure></div>\n";
     }
     const std::string pictures = picturesHtml(records, methods, folder);
     if (!pictures.empty()) {

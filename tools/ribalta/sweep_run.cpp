@@ -289,10 +289,11 @@ void SweepRun::runView(Renderer& renderer, const Range& range) {
         fail(range, error.what());
         return;
     }
+    const std::string reference = writeReferencePicture(*view, keys_[range.first]);
     const InterruptWatch watch;
     for (std::size_t i = range.first; i < range.second; ++i) {
         if (isPending(i)) {
-            runPoint(renderer, *view, i);
+            runPoint(renderer, *view, reference, i);
         }
     }
 }
@@ -311,7 +312,20 @@ SweepView SweepRun::makeView(Renderer& renderer, const PlannedPoint& planned) {
     return {{settings.width, settings.height, std::move(drawn.surfaces)}, std::move(references)};
 }
 
-void SweepRun::runPoint(Renderer& renderer, const SweepView& view, std::size_t index) {
+// Named after the view's first point; empty without a reference.
+std::string SweepRun::writeReferencePicture(const SweepView& view, const std::string& key) const {
+    if (!view.hasReferences()) {
+        return "";
+    }
+    std::string name = "pictures/";
+    name += key + "-reference.png";
+    const BytePicture picture = smallPicture(view.shownReference(), kPictureWidth);
+    writePng(settings_.folder / name, picture.width, picture.height, picture.rgb);
+    return name;
+}
+
+void SweepRun::runPoint(Renderer& renderer, const SweepView& view, const std::string& reference,
+                        std::size_t index) {
     const PlannedPoint& planned = plan_.points[index];
     SweepRecord record;
     record.point = planned.point;
@@ -324,6 +338,7 @@ void SweepRun::runPoint(Renderer& renderer, const SweepView& view, std::size_t i
         record.message = oneLine(error.what());
     }
     if (record.status == SweepRecord::Status::kMeasured) {
+        record.reference = reference;
         showLight(renderer, view, planned, record);
     }
     finishPoint(index, std::move(record));

@@ -60,7 +60,9 @@ class SweepRun {
     void runScene(const Range& range);
     void runView(Renderer& renderer, const Range& range);
     SweepView makeView(Renderer& renderer, const PlannedPoint& planned);
-    void runPoint(Renderer& renderer, const SweepView& view, std::size_t index);
+    std::string writeReferencePicture(const SweepView& view, const std::string& key) const;
+    void runPoint(Renderer& renderer, const SweepView& view, const std::string& reference,
+                  std::size_t index);
     void showLight(Renderer& renderer, const SweepView& view, const PlannedPoint& planned,
                    SweepRecord& record);
     void fail(const Range& range, const std::string& why);

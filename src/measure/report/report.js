@@ -14,10 +14,12 @@
     const color = (i) => (isDark.matches ? dark : light)[i % light.length];
     const short = (value) => Number(value.toPrecision(3)).toString();
 
-    // 1, 2 and 5 of every decade.
-    const decadeTick = (value) => {
+    // 1, 2 and 5 of every decade, or every whole digit where few decades are shown.
+    const decadeTick = (value, index, ticks) => {
+        const shown = ticks[ticks.length - 1].value / ticks[0].value < 30
+            ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : [1, 2, 5];
         const first = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
-        return [1, 2, 5].some((n) => Math.abs(first - n) < 1e-6) ? short(value) : '';
+        return shown.some((n) => Math.abs(first - n) < 1e-6) ? short(value) : '';
     };
 
     const axis = (title, extra) => ({
@@ -36,7 +38,7 @@
         plugins: {
             legend: {
                 position: 'bottom',
-                labels: { color: style('--ink'), usePointStyle: true, boxWidth: 10, padding: 14 },
+                labels: { color: style('--ink'), usePointStyle: true, boxWidth: 8, boxHeight: 7, padding: 14 },
             },
             tooltip: { callbacks: { label } },
         },
@@ -63,9 +65,16 @@
         .filter(([, points]) => points.length > 0)
         .map(([method, points]) => methodLine(method, points));
 
+    // As far as the points go, with a little room.
+    const fit = (values) => {
+        const there = values.filter((value) => value > 0);
+        return there.length > 0 ? { min: Math.min(...there) / 1.25, max: Math.max(...there) * 1.25 } : {};
+    };
+
     const drawFps = (canvas, records) => {
         const counts = [...new Set(records.map((r) => r.planes))].sort((a, b) => a - b);
         const x = axis('sheets a beam, or planes of the view', {
+            ...fit(counts),
             afterBuildTicks: (scale) => { scale.ticks = counts.map((value) => ({ value })); },
         });
         x.ticks = { ...x.ticks, callback: (value) => value, autoSkip: true };
@@ -73,7 +82,7 @@
         return new Chart(canvas, {
             type: 'scatter',
             data: { datasets: sets },
-            options: options(x, axis('frames a second'), (item) => {
+            options: options(x, axis('frames a second', fit(records.map((r) => r.fps))), (item) => {
                 const r = item.raw.record;
                 return `${r.method}, ${r.planes}: ${short(r.fps)} fps, frame ${short(r.frame_ms)} ms ` +
                     `(quartiles ${short(r.frame_ms_iqr)} apart)`;
@@ -115,8 +124,9 @@
             type: 'scatter',
             data: { datasets: sets },
             options: options(
-                axis('GPU time of the beams, ms'),
-                axis('tone-mapped RMSE, % of full scale'),
+                axis('GPU time of the beams, ms', fit(times)),
+                axis('tone-mapped RMSE, % of full scale',
+                    fit(sets.flatMap((set) => set.data.map((p) => p.y)))),
                 (item) => {
                     const r = item.raw.record;
                     return r ? `${r.method}, ${r.planes}: ${short(r.error)} % in ${short(r.beams_ms)} ms`
