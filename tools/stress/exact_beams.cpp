@@ -57,6 +57,9 @@ double largest(const glm::dvec3& v) {
     return std::max({v.x, v.y, v.z});
 }
 
+/// Texture units place a lookup between texels in eight bits.
+constexpr double kFilterStep = 1.0 / 256.0;
+
 /// A rectangle as a lamp sees it: corners in lamp space, z the depth.
 using Corners = std::array<glm::dvec3, 4>;
 
@@ -317,6 +320,10 @@ struct ExactBeams::Stretch {
             places.push_back(
                 placeOf(part.first + 0.25 * k / std::max(haze.extinctionPerMetre(), 1e-30)));
         }
+        addKinks(places);
+        for (double& place : places) {
+            place = std::clamp(place, 0.0, 1.0);
+        }
         std::sort(places.begin(), places.end());
         places.erase(std::unique(places.begin(), places.end()), places.end());
         return places;
@@ -491,7 +498,9 @@ Roughness ExactBeams::inBeams(const Ray& ray, int samples, bool evenMetres, doub
                 lightMapSide() * std::max(0.5 * glm::length(path) / samples, pixel);
             // Below a texel no smaller picture is read.
             result.lightMapChange +=
-                mean * (texels < 0.7 ? 0.0 : lightMapChange(lamp.lightMap->image, 4.0 * texels));
+                mean * (texels < 0.7
+                            ? kFilterStep
+                            : kFilterStep + lightMapChange(lamp.lightMap->image, 4.0 * texels));
         }
     }
     return result;
@@ -507,10 +516,17 @@ Roughness ExactBeams::alongRay(const Ray& ray) const {
         }
         glm::dvec3 variation(0.0);
         glm::dvec3 before(0.0);  // dark outside the beam
+        double last = 0.0;
         for (const double place : stretch->grid(256)) {
-            const glm::dvec3 value = stretch->perMetre(stretch->metresAt(place), true);
+            const double metres = stretch->metresAt(place);
+            const glm::dvec3 value = stretch->perMetre(metres, true);
             variation += glm::abs(value - before);
             before = value;
+            if (lamp.lightMap) {
+                result.lightMapChange +=
+                    kFilterStep * largest(stretch->perPlace(place, false)) * (place - last);
+                last = place;
+            }
         }
         variation += before;
         for (const Interval& piece : lit(*stretch, 0.0)) {
