@@ -332,8 +332,7 @@ struct ExactBeams::Stretch {
 
 ExactBeams::~ExactBeams() = default;
 
-ExactBeams::ExactBeams(const SetUp& setUp, int shadowSide)
-    : haze_(setUp.haze), shadowSide_(shadowSide) {
+ExactBeams::ExactBeams(const SetUp& setUp, int shadowSide) : haze_(setUp.haze) {
     for (const SpotLight& light : setUp.lamps) {
         Lamp lamp;
         lamp.position = light.frame.position;

@@ -41,6 +41,9 @@ class ExactBeams {
   public:
     /// `shadowSide`: texels of the drawn shadow maps, 0 where there are none.
     ExactBeams(const SetUp& setUp, int shadowSide);
+    ~ExactBeams();
+    ExactBeams(const ExactBeams&) = delete;
+    ExactBeams& operator=(const ExactBeams&) = delete;
 
     /// Radiance in cd/m2 to about 1e-6 of itself.
     glm::dvec3 along(const Ray& ray, const Change& change = {}) const;
@@ -61,10 +64,6 @@ class ExactBeams {
 
     Haze haze_;
     std::vector<Lamp> lamps_;
-    int shadowSide_ = 0;
-
-  public:
-    ~ExactBeams();
 };
 
 }  // namespace ribalta::stress

@@ -36,8 +36,9 @@ const std::vector<glm::dvec3>& linearTexels(int index) {
 
 glm::dvec3 texel(int index, int x, int y) {
     const int side = lightMapSide();
-    return linearTexels(
-        index)[std::size_t(std::clamp(y, 0, side - 1) * side + std::clamp(x, 0, side - 1))];
+    const auto row = std::size_t(std::clamp(y, 0, side - 1));
+    const auto column = std::size_t(std::clamp(x, 0, side - 1));
+    return linearTexels(index)[row * std::size_t(side) + column];
 }
 
 double changeWithin(int index, int texels) {
