@@ -34,6 +34,7 @@ LIBRARIES = {
     "webp/": "src/image/codec/",
     "tiny_gltf.h": "src/gltf/",
     "draco/": "src/gltf/",
+    "embree3/": "src/reference/cast_rays.",
     "GLFW/": "src/viewer/",
     "imgui": "src/viewer/",
     "EGL/": "src/gl/",
@@ -118,6 +119,7 @@ BAD = [
     ("src/render/b.cpp", '#include "measure/sweep.h"'),
     ("src/render/passes/tonemap.cpp", '#include "render/passes/forward.h"'),
     ("src/optics/a.h", '#include "support/make_png.h"'),
+    ("src/reference/b.cpp", "#include <embree3/rtcore.h>"),
     ("src/helpers/a.h", ""),
     ("tests/unit/b_test.cpp", "#include <draco/compression/decode.h>"),
 ]

@@ -187,8 +187,7 @@ class SegmentIntegral {
         if (!(place.length() > 0.0) || depthFirst - leastDepth_ > kLostDepth) {
             return;
         }
-        const bool canHalve =
-            halvings < kMaxHalvings && result_.evaluations < kMaxEvaluations;
+        const bool canHalve = halvings < kMaxHalvings && result_.evaluations < kMaxEvaluations;
         if (!(depthLast - depthFirst > kMaxPanelDepth && canHalve)) {
             const SmoothPanel panel = fitPanel(smooth, place);
             result_.evaluations += int(SmoothPanel::kNodes);

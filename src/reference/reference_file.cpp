@@ -96,10 +96,11 @@ FloatImage referenceImage(const ReferencePicture& picture, const ReferenceSettin
         append(picture.total(i));
         append(picture.beams[i]);
         if (layers.transmittance) {
-            const auto x = double(i % std::size_t(picture.width));
-            const auto y = double(i / std::size_t(picture.width));
-            const glm::dvec2 slope = half * glm::dvec2((2.0 * x + 1.0) / picture.width - 1.0,
-                                                       (2.0 * y + 1.0) / picture.height - 1.0);
+            const std::size_t x = i % std::size_t(picture.width);
+            const std::size_t y = i / std::size_t(picture.width);
+            const glm::dvec2 slope =
+                half * glm::dvec2((2.0 * double(x) + 1.0) / picture.width - 1.0,
+                                  (2.0 * double(y) + 1.0) / picture.height - 1.0);
             const double metres =
                 picture.depths[i] *
                 (settings.camera.isOrthographic() ? 1.0 : std::sqrt(1.0 + glm::dot(slope, slope)));
