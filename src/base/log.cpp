@@ -20,6 +20,10 @@ void logWarning(const std::string& line) {
     Progress::writeLine("ribalta: warning: " + oneLine(line));
 }
 
+void logNote(const std::string& line) {
+    Progress::writeLine(line);
+}
+
 void logVerbose(const std::string& line) {
     if (verboseSwitch) {
         Progress::writeLine(line);

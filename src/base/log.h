@@ -11,6 +11,8 @@ bool isVerbose();
 
 /// "ribalta: warning: ..." always.
 void logWarning(const std::string& line);
+/// The line as it is, always.
+void logNote(const std::string& line);
 /// The line as it is, only with --verbose.
 void logVerbose(const std::string& line);
 

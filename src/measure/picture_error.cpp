@@ -67,6 +67,11 @@ LinearError linearError(const RgbPicture& a, const RgbPicture& b) {
     return error;
 }
 
+double displayRmsePercent(const RgbPicture& a, const RgbPicture& b) {
+    checkSameShape(a, b);
+    return 100.0 * std::sqrt(sumOver(a, b, squaredDifference) / (3.0 * double(a.pixels.size())));
+}
+
 DisplayError displayError(const RgbPicture& a, const RgbPicture& b) {
     return displayError(a, b, flipView(b));
 }
@@ -75,7 +80,7 @@ DisplayError displayError(const RgbPicture& a, const RgbPicture& b, const FlipVi
     checkSameShape(a, b);
     const double count = 3.0 * double(a.pixels.size());
     DisplayError error;
-    error.rmsePercent = 100.0 * std::sqrt(sumOver(a, b, squaredDifference) / count);
+    error.rmsePercent = displayRmsePercent(a, b);
     const double meanSquare = sumOver(a, b,
                                       [](double left, double right) {
                                           return squaredDifference(toByte(left), toByte(right));

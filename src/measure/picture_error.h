@@ -39,6 +39,8 @@ struct DisplayError {
     double flipLargest = 0.0;
     LargestError largest;
 };
+/// DisplayError::rmsePercent alone.
+double displayRmsePercent(const RgbPicture& a, const RgbPicture& b);
 DisplayError displayError(const RgbPicture& a, const RgbPicture& b);
 /// The same where B's view is at hand.
 DisplayError displayError(const RgbPicture& a, const RgbPicture& b, const FlipView& viewOfB);

@@ -52,6 +52,8 @@ Json settingsToJson(const FrameSettings& settings) {
             {"planes", beams.planes},
             {"cells", Json::array({beams.cellsAcross, beams.cellsDown})},
             {"dt_m", valueOrNull(beams.spacingMetres)},
+            {"eight_bit", beams.eightBitBlending},
+            {"tolerance", valueOrNull(std::optional<double>(beams.tolerance))},
             {"scattering_per_m", haze.scatteringPerMetre},
             {"absorption_per_m", haze.absorptionPerMetre},
             {"phase", int(haze.phase.kind)},
@@ -69,6 +71,10 @@ FrameSettings settingsFromJson(const Json& json) {
     settings.beams.cellsAcross = json.at("cells").at(0);
     settings.beams.cellsDown = json.at("cells").at(1);
     settings.beams.spacingMetres = valueIfAny<double>(json.at("dt_m"));
+    settings.beams.eightBitBlending = json.at("eight_bit");
+    if (!json.at("tolerance").is_null()) {
+        settings.beams.tolerance = json.at("tolerance").get<double>();
+    }
     settings.haze.scatteringPerMetre = json.at("scattering_per_m");
     settings.haze.absorptionPerMetre = json.at("absorption_per_m");
     settings.haze.phase.kind = PhaseFunction::Kind(json.at("phase").get<int>());
@@ -192,6 +198,13 @@ std::string SweepPoint::method() const {
         std::snprintf(cells, sizeof cells, " %dx%d cells", settings.beams.cellsAcross,
                       settings.beams.cellsDown);
         text += cells;
+    }
+    const std::optional<double> tolerance = settings.beams.tolerance;
+    if (tolerance && tolerance != std::optional<double>(BeamSettings{}.tolerance)) {
+        text += " tolerance " + shortNumber(*tolerance);
+    }
+    if (settings.beams.eightBitBlending) {
+        text += " in 8 bits";
     }
     if (settings.beams.spacingMetres) {
         text += " dt " + shortNumber(*settings.beams.spacingMetres) + " m";

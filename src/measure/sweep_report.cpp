@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/read_file.h"
 #include "measure/pareto.h"
+#include "measure/pessoa2007.h"
 #include "measure/report_files.h"
 
 namespace ribalta {
@@ -196,14 +197,13 @@ std::string summaryHtml(const std::vector<SweepRecord>& records, double targetPe
     if (times.empty()) {
         return "";
     }
-    const std::string baseline(name(allBeamMethods().front()));
     std::string rows;
     for (const TimeToError& each : times) {
         const auto base = std::find_if(times.begin(), times.end(), [&](const TimeToError& other) {
-            return other.view == each.view && other.method == baseline;
+            return other.view == each.view && other.isBaseline;
         });
         std::string ratio;
-        if (each.timeMs && base != times.end() && each.method != baseline) {
+        if (each.timeMs && base != times.end() && !each.isBaseline) {
             ratio = base->timeMs ? shortNumber(*base->timeMs / *each.timeMs)
                                  : "over " + shortNumber(base->longestMs / *each.timeMs);
         }
@@ -218,7 +218,8 @@ std::string summaryHtml(const std::vector<SweepRecord>& records, double targetPe
                      {"beams", "text"},
                      {"GPU ms of the beams", ""},
                      {"least error, %", ""},
-                     {"times faster than planes", ""}}) +
+                     {("times faster than " + std::string(name(allBeamMethods().front()))).c_str(),
+                      ""}}) +
            "<tbody>\n" + rows +
            "</tbody></table></div>\n<p class=\"note\">Between two measured points the time is "
            "interpolated, both axes logarithmic.</p>\n</section>";
@@ -392,16 +393,24 @@ std::vector<TimeToError> timesToError(const std::vector<SweepRecord>& records,
                                       double targetPercent) {
     std::vector<TimeToError> result;
     for (const std::string& view : namesInOrder(records, &SweepPoint::view)) {
-        for (const std::string& method : namesInOrder(records, &SweepPoint::method)) {
-            Records found = measuredIn(records, view);
-            std::erase_if(found, [&](const SweepRecord* record) {
-                return record->point.method() != method || record->errors.empty();
+        Records pending = measuredIn(records, view);
+        std::erase_if(pending, [](const SweepRecord* record) { return record->errors.empty(); });
+        while (!pending.empty()) {
+            const SweepPoint& first = pending.front()->point;
+            Records ofMethod;
+            std::erase_if(pending, [&](const SweepRecord* record) {
+                const bool isOf = record->point.method() == first.method();
+                if (isOf) {
+                    ofMethod.push_back(record);
+                }
+                return isOf;
             });
-            if (found.empty()) {
-                continue;
-            }
-            const std::vector<Cost> costs = costsOf(found);
-            TimeToError each{view, method, timeToError(costs, targetPercent), costs.front().error,
+            const std::vector<Cost> costs = costsOf(ofMethod);
+            TimeToError each{view,
+                             first.method(),
+                             first.settings.beams.method == allBeamMethods().front(),
+                             timeToError(costs, targetPercent),
+                             costs.front().error,
                              0.0};
             for (const Cost& cost : costs) {
                 each.leastError = std::min(each.leastError, cost.error);
@@ -416,19 +425,26 @@ std::vector<TimeToError> timesToError(const std::vector<SweepRecord>& records,
 std::string makeReport(const Json& context, const std::vector<SweepRecord>& records,
                        const std::filesystem::path& folder, double targetPercent) {
     const auto& files = reportFiles();
+    const bool hasPreset =
+        std::any_of(records.begin(), records.end(),
+                    [](const SweepRecord& record) { return !record.point.label.empty(); });
+    const std::string thesis = hasPreset ? "<section>\n<h2>Beside the thesis</h2>\n<pre>" +
+                                               escaped(thesisTable(records)) + "</pre>\n</section>"
+                                         : "";
     const std::vector<std::string> methods = namesInOrder(records, &SweepPoint::method);
     std::string views;
     for (const std::string& view : namesInOrder(records, &SweepPoint::view)) {
         views += viewHtml(view, measuredIn(records, view), methods, folder);
     }
-    return filled(files.at("report.html"), {{"style", std::string(files.at("report.css"))},
-                                            {"context", contextHtml(context)},
-                                            {"summary", summaryHtml(records, targetPercent)},
-                                            {"views", views},
-                                            {"table", tableHtml(records)},
-                                            {"data", chartData(records, targetPercent)},
-                                            {"library", std::string(files.at("chart.min.js"))},
-                                            {"script", std::string(files.at("report.js"))}});
+    return filled(files.at("report.html"),
+                  {{"style", std::string(files.at("report.css"))},
+                   {"context", contextHtml(context)},
+                   {"summary", summaryHtml(records, targetPercent) + thesis},
+                   {"views", views},
+                   {"table", tableHtml(records)},
+                   {"data", chartData(records, targetPercent)},
+                   {"library", std::string(files.at("chart.min.js"))},
+                   {"script", std::string(files.at("report.js"))}});
 }
 
 }  // namespace ribalta

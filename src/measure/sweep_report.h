@@ -15,14 +15,15 @@ namespace ribalta {
 /// How long a method takes to reach an error in a view.
 struct TimeToError {
     std::string view;
-    std::string method;
+    std::string method;            ///< its name with its settings
+    bool isBaseline = false;       ///< of the first of all methods
     std::optional<double> timeMs;  ///< none: no point reaches it
     double leastError = 0.0;       ///< the best that was measured, in %
     double longestMs = 0.0;        ///< of the measured points
 };
 
-/// For every view and method with errors, in the records' order; time is the GPU's for the beams,
-/// error the tone-mapped RMSE against the first reference.
+/// For every view and, in it, every method with errors, in the records' order; time is the GPU's
+/// for the beams, error the tone-mapped RMSE against the first reference.
 std::vector<TimeToError> timesToError(const std::vector<SweepRecord>& records,
                                       double targetPercent);
 

@@ -10,10 +10,11 @@ namespace ribalta {
 
 /// How the light in the haze is summed.
 struct BeamSettings {
-    BeamMethod method = BeamMethod::kClipped;
+    BeamMethod method = BeamMethod::kAdaptive;
     int planes = 24;  ///< sheets a beam, or planes a frame (planes)
-    /// `adaptive` only: how far a pixel may be off by interpolation, of the screen's full scale.
-    double tolerance = 0.02;
+    /// `adaptive` only: how far a pixel may be off by interpolation, as a share of the screen's full
+    /// scale. None: 0.4 / planes, about as much as so few sheets are off themselves.
+    std::optional<double> tolerance;
     /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
     /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.
     int cellsAcross = 0;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "beam_options.h"
 #include "gl/context.h"
 #include "gl/counters.h"
 #include "haze_options.h"
@@ -34,11 +36,7 @@ struct RenderOptions {
     std::optional<std::string> camera;
     std::string size = "1280x720";
     HazeOptions haze;
-    std::string beams = "clipped";
-    int planes = 24;
-    double tolerance = BeamSettings{}.tolerance;
-    std::string cells;
-    std::optional<double> spacing;
+    BeamOptions beams;
     std::string exposure = "auto";
     double ambient = 1.0;
     std::string layers;
@@ -46,17 +44,8 @@ struct RenderOptions {
     int repeat = 1;
     bool redraw = false;
     bool still = false;
-    bool eightBit = false;
     bool verbose = false;
 };
-
-std::vector<std::string> beamMethodNames() {
-    std::vector<std::string> names;
-    for (const BeamMethod method : allBeamMethods()) {
-        names.emplace_back(name(method));
-    }
-    return names;
-}
 
 FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& outputs) {
     FrameSettings settings;
@@ -64,24 +53,10 @@ FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& ou
     settings.width = size.width;
     settings.height = size.height;
     settings.haze = options.haze.parsed();
-    settings.beams.method = beamMethodNamed(options.beams).value();
-    settings.beams.planes = options.planes;
-    settings.beams.tolerance = options.tolerance;
-    settings.beams.spacingMetres = options.spacing;
-    settings.beams.eightBitBlending = options.eightBit;
-    if (!options.cells.empty()) {
-        const PictureSize cells = parseCells(options.cells);
-        settings.beams.cellsAcross = cells.width;
-        settings.beams.cellsDown = cells.height;
-    }
-    const bool planes = settings.beams.method == BeamMethod::kPlanes;
-    if (!planes && (options.spacing || options.eightBit || !options.cells.empty())) {
-        throw CLI::ValidationError("--beams",
-                                   "--dt, --cells and --eight-bit belong to --beams planes");
-    }
+    settings.beams = options.beams.parsed();
     settings.ambientLux = options.ambient;
     settings.ev100 = parseExposure(options.exposure);
-    if (options.eightBit && !settings.ev100) {
+    if (settings.beams.eightBitBlending && !settings.ev100) {
         throw CLI::ValidationError("--eight-bit", "needs an exposure: give --exposure EV100");
     }
     settings.display = outputs.wantsPng() || outputs.files.empty();
@@ -128,6 +103,33 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
     return stats;
 }
 
+// What `auto` comes to, and says so.
+BeamSettings chooseAndTell(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
+                           const BeamGoal& goal) {
+    BeamChoice choice;
+    {
+        const Progress progress("choosing how to draw the beams");
+        choice = chooseBeams(renderer, camera, settings, goal);
+    }
+    char text[256];
+    std::snprintf(text, sizeof text, "beams: auto took %s with %d sheets: %.3g ms, error %.2g %%",
+                  std::string(name(choice.beams.method)).c_str(), choice.beams.planes,
+                  choice.beamsMs, choice.errorPercent);
+    if (choice.reached) {
+        logNote(text);
+    } else if (goal.budgetMs) {
+        std::snprintf(text + std::strlen(text), sizeof text - std::strlen(text),
+                      "; nothing keeps within %.3g ms here, this is the fastest", *goal.budgetMs);
+        logWarning(text);
+    } else {
+        std::snprintf(text + std::strlen(text), sizeof text - std::strlen(text),
+                      "; nothing keeps within %.3g %% here, this is the closest",
+                      goal.errorPercent);
+        logWarning(text);
+    }
+    return choice.beams;
+}
+
 // How long each part took, and what was drawn with.
 void tellOfFrames(const std::string& scene, const RenderStats& stats) {
     logVerbose("plan: " + std::filesystem::path(scene).stem().string() + ": " + stats.plan);
@@ -150,7 +152,7 @@ void render(const RenderOptions& options) {
         throw CLI::ValidationError("nothing to write",
                                    "give -o FILE.png, -o FILE.exr or --stats FILE.json");
     }
-    const FrameSettings settings = settingsFrom(options, outputs);
+    FrameSettings settings = settingsFrom(options, outputs);
     checkOutputs(outputs);
 
     const LoadedScene loaded = loadScene(options.scene);
@@ -168,6 +170,9 @@ void render(const RenderOptions& options) {
     progress.reset();
     const double uploadMs = msSince(start);
 
+    if (const std::optional<BeamGoal> goal = options.beams.goal()) {
+        settings.beams = chooseAndTell(renderer, camera, settings, *goal);
+    }
     RenderStats stats = drawFrames(renderer, loaded.scene, camera, settings, options);
     if (renderer.lastPlan().lampsWithoutShadow > 0) {
         logWarning(std::to_string(renderer.lastPlan().lampsWithoutShadow) +
@@ -236,42 +241,6 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
                      "say which OpenGL is used, what is drawn and how long it takes");
 }
 
-void addBeamOptions(CLI::App& command, RenderOptions& options) {
-    command
-        .add_option(
-            "--beams", options.beams,
-            "how beams are drawn: clipped, with sheets within each beam, or planes, through "
-            "the whole view (Pessoa 2007)")
-        ->type_name("METHOD")
-        ->check(CLI::IsMember(beamMethodNames()).description(""))
-        ->capture_default_str();
-    command
-        .add_option("--planes", options.planes, "sheets a beam, or planes of the view, 1..65536")
-        ->type_name("N")
-        ->check(CLI::Range(1, 65536).description(""))
-        ->capture_default_str();
-    command
-        .add_option("--tolerance", options.tolerance,
-                    "with adaptive: how far a pixel may be off, as a share of the screen's full "
-                    "scale, 0..1")
-        ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0).description(""))
-        ->capture_default_str();
-    command
-        .add_option("--cells", options.cells,
-                    "with planes: cells, 1..1024 each way, on whose corners the smooth factor is "
-                    "evaluated (default: at every pixel)")
-        ->type_name("QxQ");
-    command
-        .add_option("--dt", options.spacing,
-                    "with planes: their distance in metres (default: spread over the scene)")
-        ->type_name("METRES")
-        ->check(expectPositive, "");
-    command.add_flag("--eight-bit", options.eightBit,
-                     "with planes: add their light up in eight bits, as graphics cards had to in "
-                     "2007; needs --exposure EV100");
-}
-
 }  // namespace
 
 void addRenderCommand(CLI::App& app) {
@@ -279,7 +248,7 @@ void addRenderCommand(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
     addPictureOptions(*command, *options);
     options->haze.addTo(*command);
-    addBeamOptions(*command, *options);
+    options->beams.addTo(*command);
     command->callback([options] { render(*options); });
 }
 

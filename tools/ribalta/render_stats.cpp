@@ -6,18 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_file.h"
+#include "measure/statistics.h"
 
 namespace ribalta {
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) {
-        return 0.0;
-    }
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 nlohmann::json toJson(const FrameTimes& frame) {
     nlohmann::json passes = nlohmann::json::array();

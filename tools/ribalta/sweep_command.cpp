@@ -26,6 +26,7 @@ struct SweepOptions {
     std::vector<std::string> cameras;
     std::string planes = "8:1024";
     std::string beams = "all";
+    std::string tolerance;
     std::string size = "1280x720";
     HazeOptions haze;
     double ambient = 1.0;
@@ -48,6 +49,7 @@ SweepGrid gridFrom(const SweepOptions& options) {
     grid.cameras = options.cameras;
     grid.planes = parsePlaneCounts(options.planes);
     grid.methods = parseMethods(options.beams);
+    grid.tolerances = parseTolerances(options.tolerance);
     grid.settings.haze = options.haze.parsed();
     grid.settings.ambientLux = options.ambient;
     grid.pessoa2007 = !options.preset.empty();
@@ -179,6 +181,11 @@ void addPointOptions(CLI::App& command, SweepOptions& options) {
                         "FIRST:LAST:FACTORx multiplies, or a list by comma; 1..65536")
             ->type_name("COUNTS")
             ->capture_default_str();
+    command
+        .add_option("--tolerance", options.tolerance,
+                    "tolerances of the method adaptive, by comma, each 0..1 of full scale: a curve "
+                    "for each (default: the renderer's own)")
+        ->type_name("SHARES");
     options.haze.addTo(command);
     command.add_option("--ambient", options.ambient, "even light from all around, in lux")
         ->type_name("LUX")

@@ -40,7 +40,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 template <typename Number>
-std::optional<Number> wholeNumber(const std::string& text) {
+std::optional<Number> parseWhole(const std::string& text) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
@@ -50,7 +50,7 @@ std::optional<Number> wholeNumber(const std::string& text) {
 }
 
 int planeCount(const std::string& part, const std::string& text) {
-    const std::optional<int> count = wholeNumber<int>(part);
+    const std::optional<int> count = parseWhole<int>(part);
     if (!count || *count < 1 || *count > kMaxPlanes) {
         refusePlanes(text);
     }
@@ -62,7 +62,7 @@ std::vector<int> planeRange(const std::vector<std::string>& parts, const std::st
     const int last = planeCount(parts[1], text);
     const std::string step = parts.size() > 2 ? parts[2] : "2x";
     const bool isFactor = step.ends_with('x');
-    const auto by = wholeNumber<double>(isFactor ? step.substr(0, step.size() - 1) : step);
+    const auto by = parseWhole<double>(isFactor ? step.substr(0, step.size() - 1) : step);
     if (parts.size() > 3 || last < first || !by || !std::isfinite(*by) ||
         (isFactor && *by < 1.01) || (!isFactor && (*by < 1.0 || *by != std::floor(*by)))) {
         refusePlanes(text);
@@ -131,14 +131,26 @@ std::vector<SweepPoint> pointsOfView(const SweepGrid& grid, const PictureSize& s
         }
         return points;
     }
-    for (const BeamMethod method : grid.methods) {
+    const auto addSeries = [&](BeamSettings beams) {
         for (const int planes : grid.planes) {
             SweepPoint point{"", "", "", grid.settings};
             point.settings.width = size.width;
             point.settings.height = size.height;
-            point.settings.beams.method = method;
+            point.settings.beams = beams;
             point.settings.beams.planes = planes;
             points.push_back(std::move(point));
+        }
+    };
+    for (const BeamMethod method : grid.methods) {
+        BeamSettings beams;
+        beams.method = method;
+        if (method != BeamMethod::kAdaptive || grid.tolerances.empty()) {
+            addSeries(beams);
+            continue;
+        }
+        for (const double tolerance : grid.tolerances) {
+            beams.tolerance = tolerance;
+            addSeries(beams);
         }
     }
     return points;
@@ -182,6 +194,18 @@ std::vector<BeamMethod> parseMethods(const std::string& text) {
         }
     }
     return methods;
+}
+
+std::vector<double> parseTolerances(const std::string& text) {
+    std::vector<double> tolerances;
+    for (const std::string& part : text.empty() ? std::vector<std::string>() : split(text, ',')) {
+        const std::optional<double> tolerance = parseWhole<double>(part);
+        if (!tolerance || !(*tolerance >= 0.0 && *tolerance <= 1.0)) {
+            throw CLI::ValidationError("--tolerance", "'" + part + "' is not a number in 0..1");
+        }
+        tolerances.push_back(*tolerance);
+    }
+    return tolerances;
 }
 
 std::vector<PictureSize> parseSizes(const std::string& text) {

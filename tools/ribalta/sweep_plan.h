@@ -20,6 +20,9 @@ std::vector<int> parsePlaneCounts(const std::string& text);
 /// Methods of "all" or of names by comma. Throws CLI::ValidationError that lists them.
 std::vector<BeamMethod> parseMethods(const std::string& text);
 
+/// Tolerances by comma, each 0..1; none of an empty text. Throws CLI::ValidationError.
+std::vector<double> parseTolerances(const std::string& text);
+
 /// Sizes by comma, as parseSize.
 std::vector<PictureSize> parseSizes(const std::string& text);
 
@@ -51,7 +54,8 @@ struct SweepGrid {
     std::vector<PictureSize> sizes;
     std::vector<BeamMethod> methods;
     std::vector<int> planes;
-    FrameSettings settings;   ///< haze and ambient light
+    std::vector<double> tolerances;  ///< of `adaptive`; none: the renderer's own
+    FrameSettings settings;          ///< haze and ambient light
     bool pessoa2007 = false;  ///< the thesis's settings in the place of planes, methods and haze
 };
 
