@@ -2,6 +2,7 @@
 
 import csv
 import json
+import os
 import pathlib
 import re
 import resource
@@ -144,6 +145,21 @@ class GoingOn(SweepTest):
         result = self.expect_done(*arguments[:-3], "--planes=1:4:1", *arguments[-2:])
         self.assertRegex(result.stdout, rf"4 points: 4 measured \({min(done, 4)} of them before\)")
 
+    def test_on_a_terminal_it_says_what_is_left(self):
+        main, end = os.openpty()
+        process = subprocess.Popen(
+            [PROGRAM, "sweep", "floor.gltf", "-o", "out", "--size=64x36", "--beams=clipped",
+             "--planes=1:256:1", "--repeat=9", "--reference-visibility=none"],
+            cwd=self.folder, stdout=subprocess.DEVNULL, stderr=end)
+        os.close(end)
+        said = b""
+        while b" left" not in said:
+            said += os.read(main, 4096)
+        process.send_signal(signal.SIGTERM)
+        process.wait(timeout=120)
+        os.close(main)
+        self.assertRegex(said.decode(), r"measuring  \d+/256  \d+ s, about \d+ (s|min) left")
+
     def test_results_that_are_none_are_not_taken(self):
         (self.folder / "out").mkdir()
         self.write("out/sweep.json", b"{\"context\": 3}")
@@ -191,6 +207,7 @@ class Failures(SweepTest):
             (["--planes"], ["--planes=8:64:1x"]),
             (["--planes"], ["--planes=8,"]),
             (["--beams", "planes, "], ["--beams=fog"]),
+            (["--tolerance", "0..1"], ["--tolerance=2"]),
             (["--size", "16384"], ["--size=16x9,0x5"]),
             (["none of the cameras", "side"], ["--camera=nowhere"]),
             (["no scene has a camera 'nowhere'"], ["--camera=side", "--camera=nowhere"]),

@@ -81,6 +81,11 @@ TEST(SweepRecord, ViewsAndMethodsTellWhatBelongsTogether) {
     EXPECT_NE(planes.method(), clipped.method());
     clipped.settings.width = 640;
     EXPECT_NE(planes.view(), clipped.view());
+    SweepPoint fine = makeRecord(BeamMethod::kAdaptive, 8, 1.0, 1.0).point;
+    SweepPoint coarse = fine;
+    fine.settings.beams.tolerance = 0.001;
+    coarse.settings.beams.tolerance = 0.1;
+    EXPECT_NE(fine.method(), coarse.method());
 }
 
 TEST(Pessoa2007, TheTableHasSixLinesAndWhatWasMeasured) {
