@@ -19,7 +19,6 @@ using vec4 = glm::dvec4;
 
 // NOLINTBEGIN: GLSL's spelling
 #define float double
-#include "lib/shadow_projection.glsl"
 #include "lib/view_ray.glsl"
 #undef float
 // NOLINTEND

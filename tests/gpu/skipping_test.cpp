@@ -45,6 +45,8 @@ class Skipping : public GpuTest {
         addShape(scene_, makeSphere({0, 1, 0}, 0.5F, 16), makeMaterial(glm::vec3(0.5F)));
         scene_.spotLights.push_back(makeSpot({0, 5, 0}, {0, 0, 0}, 0.3));
         settings_.haze.scatteringPerMetre = 0.05;
+        // Of one program and no picture of its own: what a frame adds can be counted.
+        settings_.beams.method = BeamMethod::kClipped;
         settings_.beams.planes = 8;
     }
 
@@ -233,6 +235,30 @@ TEST_F(Skipping, AFrameInWhichNothingChangedDrawsNothing) {
     EXPECT_EQ(renderer.draw(camera_, settings_).describe(),
               "shadow_map[1] forward beams[1] exposure tonemap");
     EXPECT_EQ(readBack(renderer).image.values, first.image.values);
+}
+
+TEST_F(Skipping, ByEveryMethod) {
+    settings_.display = true;
+    settings_.ev100 = 5.0;
+    for (const BeamMethod method : allBeamMethods()) {
+        settings_.beams.method = method;
+        // Without haze no method builds anything of its own.
+        settings_.haze.scatteringPerMetre = 0.0;
+        const Live made = firstFrame();
+        EXPECT_EQ(line_, "shadow_map[1] forward tonemap") << name(method);
+        EXPECT_EQ(made.programs, 3) << name(method);
+        EXPECT_EQ(made.textures, 4) << name(method);
+        // With it, a still frame draws nothing again.
+        settings_.haze.scatteringPerMetre = 0.05;
+        Renderer renderer(scene_);
+        renderer.draw(camera_, settings_);
+        const Frame3 first = readBack(renderer);
+        const GlCounters before = glCounters();
+        EXPECT_TRUE(renderer.draw(camera_, settings_).kept) << name(method);
+        EXPECT_EQ(glCounters().drawCalls, before.drawCalls) << name(method);
+        EXPECT_EQ(glCounters().bytesAllocated, before.bytesAllocated) << name(method);
+        EXPECT_EQ(readBack(renderer).image.values, first.image.values) << name(method);
+    }
 }
 
 TEST_F(Skipping, WhateverChangesIsDrawn) {
