@@ -125,13 +125,14 @@ Taps featureTaps(double pixelsPerDegree) {
     return taps;
 }
 
-// Calls sum(pixel, i) -> void for the taps' pixels around (x, y) along one axis; the picture's edge
-// goes on beyond it.
+// Calls sum(place, tap) for every tap, centred at `at` along one axis of `size` pixels; the
+// picture's edge goes on beyond it.
 template <typename Sum>
 void forTaps(const Taps& taps, int at, int size, const Sum& sum) {
-    const int radius = int(taps.size() / 2);
-    for (int i = -radius; i <= radius; ++i) {
-        sum(std::clamp(at + i, 0, size - 1), taps[std::size_t(i + radius)]);
+    int place = at - int(taps.size() / 2);
+    for (const glm::vec4& tap : taps) {
+        sum(std::clamp(place, 0, size - 1), tap);
+        ++place;
     }
 }
 

@@ -140,6 +140,7 @@ void measureTimes(Renderer& renderer, const Camera& camera, const MeasureSetting
     }
 
     std::vector<double> whole;
+    whole.reserve(frames.size());
     for (const TimedFrame& frame : frames) {
         whole.push_back(frame.ms);
     }
