@@ -111,7 +111,10 @@ class PixelCheck {
         // Three halves of the relative error of 1 + g^2 - 2 g mu >= (1 - |g|)^2.
         const double peak = sharp ? 12.0 * kEpsilon / std::pow(1.0 - std::abs(phase.g), 2.0) : 0.0;
         const double sum = kEpsilon * std::sqrt(double(setUp_.sheets)) * 4.0;
-        return largest(value) * (2e-5 + sum + peak) + kUnderflow * std::max(candela_, 1.0);
+        // exp of a rounded optical depth; beyond 90 nothing is left.
+        const double haze =
+            4.0 * kEpsilon * std::min(2.0 * lampMetres_ * setUp_.haze.extinctionPerMetre(), 90.0);
+        return largest(value) * (2e-5 + sum + peak + haze) + kUnderflow * std::max(candela_, 1.0);
     }
 
     /// Whether the screen shows two values of a pixel's beams alike, as far as the method promises.
@@ -196,8 +199,9 @@ class PixelCheck {
   private:
     /// The stretch that is drawn of a pixel's ray that a surface stops at `surface` metres.
     Ray rayTo(const PixelRay& pixel, double surface) const {
-        const double far =
-            std::min(setUp_.camera.farMetres, double(gpu::kEndOfBeams)) * pixel.metresPerDepth;
+        // Planes have an end of their own.
+        const double end = drawn_.sampledDepths ? kInfinity : double(gpu::kEndOfBeams);
+        const double far = std::min(setUp_.camera.farMetres, end) * pixel.metresPerDepth;
         Ray ray{pixel.origin, pixel.direction, setUp_.camera.nearMetres * pixel.metresPerDepth,
                 std::min(far, surface)};
         if (drawn_.sampledDepths) {
@@ -407,6 +411,7 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
         const glm::ivec2& pixel = pixels[i];
         const glm::dvec3 drawn = here.color(pixel.x, pixel.y, "beams");
         const glm::dvec3 again = there.color(pixel.x, pixel.y, "beams");
+        brightest = std::max(brightest, largest(drawn));
         error = std::max(error, largest(glm::abs(drawn - exact[i])));
         motion = std::max(motion, largest(glm::abs(drawn - again)));
         judge.compare("wrong light", pixel, drawn, exact[i], exact[i], false);

@@ -197,7 +197,7 @@ void surfaces(Draft& draft) {
     Random& random = draft.random;
     // A wall across the view: from the near plane itself to far behind the beam.
     const Camera& camera = draft.setUp.camera;
-    const double nearest = camera.nearMetres;
+    const double nearest = std::max(camera.nearMetres, 1e-3);
     const double depth = random.chance(0.3) ? nearest * (1.0 + random.decades(1e-7, 1e-2))
                                             : random.decades(nearest, 200.0);
     Rectangle wall;
