@@ -46,14 +46,13 @@ PixelRay pixelRay(ivec2 pixel) {
     return ray;
 }
 
-/// Level of the light map that neither a pixel nor a step between sheets steps over: slopeStep is the
-/// way across the map from one sheet to the next, rayWidth the width of the pixel's ray at unit depth
-/// of the lamp, in slopes.
-float lightMapLevel(SpotLamp lamp, vec2 slopeStep, float rayWidth) {
-    float texels = 0.5 * lamp.projection.x * float(lamp.layers.z);
-    // Half the step: sheets a little over a texel apart still see every feature.
-    float footprint = texels * max(0.5 * length(slopeStep), rayWidth);
-    return floor(max(log2(max(footprint, 1.0e-4)), 0.0) + 0.5);
+/// From so many sheets on light maps are read between two of their levels; with fewer the levels would
+/// not be what is wrong, and reading two takes longer.
+const float kSheetsForSmoothLevels = 24.0;
+
+/// Level of the light map that one texel a step of `slopes` (x / z, y / z) across it asks for.
+float lightMapLevel(SpotLamp lamp, float slopes) {
+    return log2(max(0.5 * lamp.projection.x * float(lamp.layers.z) * slopes, 1.0));
 }
 
 /// Light of one lamp that reaches the eye along the ray; beamEnd is grown to where the ray leaves the
@@ -90,20 +89,19 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
     float count = settings.planes.x;
 #endif
 
-    float level = 0.0;
-    if (lamp.layers.y >= 0) {
-        float pixel = 2.0 * view.halfExtent.y * view.picture.w;
-        float nearer = view.halfExtent.z > 0.5 ? 1.0 : 0.5 * (entry + exit);
-        level = lightMapLevel(lamp, (slope1 - slope0) / count, pixel * nearer / max(z0, z1));
-    }
+    // Half the step: sheets a little over a texel apart still see every feature.
+    float stepLevel = lightMapLevel(lamp, 0.5 * length(slope1 - slope0) / count);
+    float pixel = 2.0 * view.halfExtent.y * view.picture.w;  // its width, at unit distance or always
 
     vec3 sum = vec3(0.0);
     // A ray that misses takes one sample: the loop's end, not a branch, so that little is computed for
     // it where both sides of a branch are run. The test stands last, since a round that only finds the
     // end costs as much as any other there.
-    float stop = hit ? 1.0 : 0.0;
-    float x = 0.5 / count;
+    // Steps are counted: a sum of 1 / count drifts until it takes a sample too many or too few.
+    float stop = hit ? count : 0.0;
+    float i = 0.5;
     do {
+        float x = i / count;
 #ifdef EVEN_STEPS
         float t = mix(entry, exit, x);
         vec3 lampToPoint = origin + t * direction;
@@ -137,12 +135,15 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
         }
         if (lamp.layers.y >= 0) {
             vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);
+            float metres = view.halfExtent.z > 0.5 ? 1.0 : t;
+            float level = max(stepLevel, lightMapLevel(lamp, pixel * metres * inverseDepth));
+            level = settings.planes.x < kSheetsForSmoothLevels ? floor(level + 0.5) : level;
             sum += share * textureLod(lightMaps, vec3(uv, float(lamp.layers.y)), level).rgb;
         } else {
             sum += vec3(share);
         }
-        x += 1.0 / count;
-    } while (x < stop);
+        i += 1.0;
+    } while (i < stop);
 #ifdef EVEN_STEPS
     float step = width / count;
 #else

@@ -12,8 +12,8 @@ namespace ribalta {
 struct BeamSettings {
     BeamMethod method = BeamMethod::kAdaptive;
     int planes = 24;  ///< sheets a beam, or planes a frame (planes)
-    /// `adaptive` only: how far a pixel may be off by interpolation, as a share of the screen's full
-    /// scale. None: 0.4 / planes, about as much as so few sheets are off themselves.
+    /// `adaptive` only: how far a pixel may be off by interpolation, as a share of the screen's
+    /// full scale. None: 0.4 / planes, about as much as so few sheets are off themselves.
     std::optional<double> tolerance;
     /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
     /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gl/timer.h"
+#include "render/exposure_meter.h"
 #include "render/frame_inputs.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
@@ -14,7 +15,6 @@
 #include "render/passes/beams_adaptive.h"
 #include "render/passes/beams_clipped.h"
 #include "render/passes/beams_planes.h"
-#include "render/passes/exposure.h"
 #include "render/passes/forward.h"
 #include "render/passes/shadow_map.h"
 #include "render/passes/tonemap.h"
@@ -67,7 +67,7 @@ class Renderer {
     std::optional<AdaptiveBeamsPass> adaptiveBeams_;
     std::optional<ClippedBeamsPass> clippedBeams_;
     std::optional<PlaneBeamsPass> planeBeams_;
-    std::optional<ExposurePass> exposure_;
+    std::optional<ExposureMeter> exposure_;
     std::optional<TonemapPass> tonemap_;
 };
 

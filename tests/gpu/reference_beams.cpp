@@ -27,6 +27,8 @@ Picture referenceBeams(const Scene& scene, const Camera& camera, const FrameSett
     Picture picture{
         settings.width, settings.height,
         std::vector<glm::dvec3>(std::size_t(settings.width) * std::size_t(settings.height))};
+    const double pixel =
+        2.0 * viewHalfExtent(camera, settings.width, settings.height).y / settings.height;
     parallelFor(std::size_t(settings.height), [&](std::size_t y) {
         for (int x = 0; x < settings.width; ++x) {
             const PixelRay ray = pixelRay(camera, settings.width, settings.height, x, int(y));
@@ -34,9 +36,9 @@ Picture referenceBeams(const Scene& scene, const Camera& camera, const FrameSett
             const double first = camera.nearMetres * ray.metresPerDepth;
             const double farthest = camera.farMetres * ray.metresPerDepth;
             if (first < last) {
-                picture.at(x, int(y)) =
-                    integrator.along({ray.origin, ray.direction, first, std::min(last, farthest)})
-                        .value;
+                BeamRay beamRay{ray.origin, ray.direction, first, std::min(last, farthest)};
+                (camera.isOrthographic() ? beamRay.width : beamRay.widening) = pixel;
+                picture.at(x, int(y)) = integrator.along(beamRay).value;
             }
         }
     });

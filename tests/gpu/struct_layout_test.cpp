@@ -75,7 +75,7 @@ class StructLayout : public GpuTest {
     }
 
 TEST_F(StructLayout, WhatBeamsRead) {
-    const Program program({"passes/beams_clipped.vert", "passes/beams_clipped.frag"},
+    const Program program({"passes/beams_tiles.vert", "passes/beams_clipped.frag"},
                           {"PHASE_KIND 0"});
     expectUniforms(program, "ViewBlock",
                    {{"view.clipFromView", offsetof(gpu::View, clipFromView)},
@@ -88,13 +88,16 @@ TEST_F(StructLayout, WhatBeamsRead) {
                    sizeof(gpu::View), 7);
     expectUniforms(program, "SettingsBlock",
                    {{"settings.planes", offsetof(gpu::BeamSettings, planes)},
-                    {"settings.cells", offsetof(gpu::BeamSettings, cells)}},
-                   sizeof(gpu::BeamSettings), 2);
+                    {"settings.cells", offsetof(gpu::BeamSettings, cells)},
+                    {"settings.lattice", offsetof(gpu::BeamSettings, lattice)},
+                    {"settings.adaptive", offsetof(gpu::BeamSettings, adaptive)}},
+                   sizeof(gpu::BeamSettings), 4);
     expectBuffer(program, "SpotLamps", "spotLamps",
                  {MEMBER(SpotLamp, lampFromView), MEMBER(SpotLamp, candela), MEMBER(SpotLamp, cone),
                   MEMBER(SpotLamp, projection), MEMBER(SpotLamp, shadow), MEMBER(SpotLamp, layers)},
                  sizeof(gpu::SpotLamp), 6);
-    expectBuffer(program, "Tiles", "tiles", {MEMBER(BeamTile, place), MEMBER(BeamTile, detail)}, sizeof(gpu::BeamTile), 1);
+    expectBuffer(program, "Tiles", "tiles", {MEMBER(BeamTile, place), MEMBER(BeamTile, detail)},
+                 sizeof(gpu::BeamTile), 2);
     EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "tileLamps[0]", GL_ARRAY_STRIDE),
               GLint(sizeof(int)));
 }
@@ -135,7 +138,7 @@ TEST_F(StructLayout, WindowsOntoBuffersAreAligned) {
 }
 
 TEST_F(StructLayout, BuffersStandInTheirSlots) {
-    const Program beams({"passes/beams_clipped.vert", "passes/beams_clipped.frag"},
+    const Program beams({"passes/beams_tiles.vert", "passes/beams_clipped.frag"},
                         {"PHASE_KIND 0"});
     const Program surfaces({"passes/forward.vert", "passes/forward.frag"});
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "ViewBlock", GL_BUFFER_BINDING), gpu::kViewSlot);

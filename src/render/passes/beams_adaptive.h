@@ -10,7 +10,7 @@
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
 #include "render/gpu_scene.h"
-#include "render/passes/exposure.h"
+#include "render/exposure_meter.h"
 #include "render/sheet_inputs.h"
 
 namespace ribalta {
@@ -36,7 +36,7 @@ class AdaptiveBeamsPass {
     /// By phase function and separate output.
     std::map<std::pair<PhaseFunction::Kind, bool>, Programs> programs_;
     Program cells_;
-    ExposurePass exposure_;  ///< what the screen will show is not known before the beams are drawn
+    ExposureMeter exposure_;  ///< what the screen will show is not known before the beams are drawn
     SheetInputs inputs_;
     Texture2D latticeMap_;  ///< cd/m2; alpha: metres along the ray to the end of the last beam
     Texture2D cellsMap_;    ///< 1: sampled anew

@@ -1,4 +1,4 @@
-#include "render/passes/exposure.h"
+#include "render/exposure_meter.h"
 
 #include <shared/slots.h>
 
@@ -6,7 +6,7 @@
 
 namespace ribalta {
 
-void ExposurePass::draw(const std::optional<double>& ev100, const Texture2D& color) {
+void ExposureMeter::draw(const std::optional<double>& ev100, const Texture2D& color) {
     const std::vector<float> given = {float(ev100.value_or(0.0))};
     exposure_.write("exposure", bytesOf(given));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kExposureSlot, exposure_.name());
@@ -23,7 +23,7 @@ void ExposurePass::draw(const std::optional<double>& ev100, const Texture2D& col
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-double ExposurePass::ev100() const {
+double ExposureMeter::ev100() const {
     std::vector<float> value(1);
     exposure_.read(std::as_writable_bytes(std::span(value)));
     return double(value[0]);

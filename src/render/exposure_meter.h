@@ -11,10 +11,10 @@
 
 namespace ribalta {
 
-class ExposurePass {
+class ExposureMeter {
   public:
     /// Defines of passes/exposure.comp.
-    explicit ExposurePass(std::vector<std::string> defines = {}) : defines_(std::move(defines)) {}
+    explicit ExposureMeter(std::vector<std::string> defines = {}) : defines_(std::move(defines)) {}
 
     /// Leaves `ev100`, or without it one that suits `color` (cd/m2), bound at kExposureSlot.
     void draw(const std::optional<double>& ev100, const Texture2D& color);
