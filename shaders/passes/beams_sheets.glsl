@@ -79,15 +79,7 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
     vec2 slope0 = first.xy / z0;
     vec2 slope1 = last.xy / z1;
     float width = exit - entry;
-#ifdef EVEN_STEPS
     float count = settings.planes.x;
-#else
-    // As many sheets as are asked for where the ray runs right across the beam, or far along it; fewer,
-    // in the same distance from each other, where it only cuts a corner.
-    float across = 0.5 * lamp.projection.x * length(slope1 - slope0);
-    float along = 1.0 - min(z0, z1) / max(z0, z1);
-    float count = settings.planes.x;
-#endif
 
     // Half the step: sheets a little over a texel apart still see every feature.
     float stepLevel = lightMapLevel(lamp, 0.5 * length(slope1 - slope0) / count);

@@ -138,8 +138,7 @@ TEST_F(StructLayout, WindowsOntoBuffersAreAligned) {
 }
 
 TEST_F(StructLayout, BuffersStandInTheirSlots) {
-    const Program beams({"passes/beams_tiles.vert", "passes/beams_clipped.frag"},
-                        {"PHASE_KIND 0"});
+    const Program beams({"passes/beams_tiles.vert", "passes/beams_clipped.frag"}, {"PHASE_KIND 0"});
     const Program surfaces({"passes/forward.vert", "passes/forward.frag"});
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "ViewBlock", GL_BUFFER_BINDING), gpu::kViewSlot);
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "SettingsBlock", GL_BUFFER_BINDING),

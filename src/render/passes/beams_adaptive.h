@@ -7,10 +7,10 @@
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "render/exposure_meter.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
 #include "render/gpu_scene.h"
-#include "render/exposure_meter.h"
 #include "render/sheet_inputs.h"
 
 namespace ribalta {
