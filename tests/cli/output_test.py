@@ -37,6 +37,16 @@ class Pictures(CommandTest):
         self.assertRegex(text, r"plan: floor: .*forward")
         self.assertNotIn("beams", text)
 
+    def test_auto_says_what_it_chose(self):
+        scene = SCENES / "one_lamp.glb"
+        for goal, words in [(["--error", "2%"], ["auto took", "error"]),
+                            (["--budget", "60000ms"], ["auto took", "192 sheets"]),
+                            (["--budget", "0.01ms"], ["warning", "nothing keeps within 0.01 ms"])]:
+            result = self.expect_done("render", scene, "-o", "a.png", "--size", "48x27", "--beams",
+                                      "auto", *goal)
+            for word in words:
+                self.assertIn(word, result.stderr)
+
     def test_options_of_planes(self):
         self.render("--size", "32x18", "-o", "a.png", "--beams=planes", "--planes=8", "--cells=4x4",
                     "--K=20", "--dt=0.5", "--phase=gibbons")

@@ -13,8 +13,8 @@ class Help(CommandTest):
 
     def test_render_shows_units_and_defaults(self):
         text = self.expect_done("render", "--help").stdout
-        for word in ["WxH=1280x720", "S[,A]=", "1/m", "EV100|auto=auto", "cd/m2", "METHOD=clipped",
-                     "in metres", "in lux", "NAME[:G]=gibbons", "N=24", "-o,--output"]:
+        for word in ["WxH=1280x720", "S[,A]=", "1/m", "EV100|auto=auto", "cd/m2", "METHOD=adaptive",
+                     "in metres", "in lux", "NAME[:G]=gibbons", "(default: 24)", "-o,--output"]:
             self.assertIn(word, text)
 
     def test_inspect_has_help_of_its_own(self):
@@ -56,6 +56,14 @@ class WrongUsage(CommandTest):
         for text in ["big", "0x0", "10", "10x", "x10", "-5x5", "1.5x2", "16385x1", "10x10x10",
                      "99999999999x1", " 10x10"]:
             self.expect_option(["--size", f"'{text}'", "WIDTHxHEIGHT", "1..16384"], "--size", text)
+
+    def test_goals_of_auto(self):
+        for option, text in [("--budget", "4s"), ("--budget", "-1ms"), ("--budget", "soon"),
+                             ("--error", "0.5ms"), ("--error", "0%"), ("--error", "nan")]:
+            self.expect_option([option, f"'{text}'", "such as"], "--beams", "auto", option, text)
+        self.expect_option(["--beams auto"], "--budget", "4ms")
+        self.expect_option(["--beams", "--planes"], "--beams", "auto", "--planes", 8)
+        self.expect_option(["--tolerance", "adaptive"], "--beams", "clipped", "--tolerance", 0.1)
 
     def test_haze(self):
         for text in ["thick", "-1", "0.1,", "0.1,x", "nan", "inf", "0.1,-1", "1,2,3", "1e999"]:
