@@ -8,7 +8,7 @@
 #include "lib/view_ray.glsl"
 #include "lib/beam_lattice.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kBeamGroup) in;
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(std140, binding = kBeamSettingsSlot) uniform SettingsBlock { BeamSettings settings; };
 layout(std430, binding = kExposureSlot) readonly buffer Exposure { float ev100; };
@@ -77,25 +77,30 @@ bool needsSamples(ivec2 cell) {
     return bent || (bright && stray > kSameSurface && !behind);
 }
 
-void main() {
-    int tile = int(gl_GlobalInvocationID.x) / kTileCells;
-    int place = int(gl_GlobalInvocationID.x) % kTileCells;
-    if (tile >= settings.lattice.z) {
-        return;
-    }
-    ivec2 cell = tiles[tile].place.xy * kTileCellsAcross +
+void judgeCell(BeamTile tile, int place) {
+    ivec2 cell = tile.place.xy * kTileCellsAcross +
                  ivec2(place % kTileCellsAcross, place / kTileCellsAcross);
     if (cell.x >= settings.lattice.x || cell.y >= settings.lattice.y) {
         return;
     }
-    bool needed = tiles[tile].detail.x != 0 || !isWholeCell(cell, settings.lattice.xy) ||
-                  needsSamples(cell);
+    bool needed = tile.detail.x != 0 || !isWholeCell(cell, settings.lattice.xy) || needsSamples(cell);
     imageStore(cellsMap, cell, vec4(needed ? 1.0 : 0.0));
     if (needed) {
         uint slot = atomicAdd(sampled.count, 1u);
-        cells[slot] = ivec4(cell, tiles[tile].place.zw);
-        if (slot % uint(kCellsAGroup) == 0u) {
+        cells[slot] = ivec4(cell, tile.place.zw);
+        if (slot % uint(kCellsAGroup) == 0u && slot < uint(kMaxBeamGroups * kCellsAGroup)) {
             atomicAdd(sampled.groupsX, 1u);
         }
     }
+}
+
+void main() {
+    int cell = int(gl_GlobalInvocationID.x);
+    int count = settings.lattice.z * kTileCells;
+    do {
+        if (cell < count) {
+            judgeCell(tiles[cell / kTileCells], cell % kTileCells);
+        }
+        cell += int(gl_NumWorkGroups.x) * kBeamGroup;
+    } while (cell < count);
 }

@@ -2,20 +2,26 @@
 // the last beam reaches. An invocation is a point; sixteen make a tile.
 #include "passes/beams_sheets.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kBeamGroup) in;
 layout(std430, binding = kTilesSlot) readonly buffer Tiles { BeamTile tiles[]; };
 layout(rgba32f, binding = kBeamLatticeUnit) uniform writeonly image2D latticeMap;
 
-void main() {
-    int tile = int(gl_GlobalInvocationID.x) / kTileCells;
-    int place = int(gl_GlobalInvocationID.x) % kTileCells;
-    if (tile >= settings.lattice.z) {
-        return;
-    }
-    ivec2 point = tiles[tile].place.xy * kTileCellsAcross +
+void drawPoint(BeamTile tile, int place) {
+    ivec2 point = tile.place.xy * kTileCellsAcross +
                   ivec2(place % kTileCellsAcross, place / kTileCellsAcross);
     ivec2 pixel = min(point * kLatticeStep, ivec2(view.picture.xy) - 1);
     float beamEnd = 0.0;
-    vec3 sum = beamsRadiance(pixelRay(pixel), tiles[tile].place.zw, beamEnd);
+    vec3 sum = beamsRadiance(pixelRay(pixel), tile.place.zw, beamEnd);
     imageStore(latticeMap, point, vec4(sum, beamEnd));
+}
+
+void main() {
+    int point = int(gl_GlobalInvocationID.x);
+    int count = settings.lattice.z * kTileCells;
+    do {
+        if (point < count) {
+            drawPoint(tiles[point / kTileCells], point % kTileCells);
+        }
+        point += int(gl_NumWorkGroups.x) * kBeamGroup;
+    } while (point < count);
 }

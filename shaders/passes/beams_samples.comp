@@ -1,20 +1,14 @@
 // Beams, method `adaptive`, last step: the pixels of the listed cells, sampled like the lattice.
 #include "passes/beams_sheets.glsl"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = kBeamGroup) in;
 layout(std430, binding = kSampledCellsSlot) readonly buffer SampledCells { SampledCellsHead sampled; ivec4 cells[]; };
 layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
 #ifdef BEAMS_OUTPUT
 layout(rgba32f, binding = kBeamsOutputUnit) uniform writeonly image2D beamsMap;
 #endif
 
-void main() {
-    int entry = int(gl_GlobalInvocationID.x) / kCellPixels;
-    int place = int(gl_GlobalInvocationID.x) % kCellPixels;
-    if (entry >= int(sampled.count)) {
-        return;
-    }
-    ivec4 cell = cells[entry];
+void drawPixel(ivec4 cell, int place) {
     ivec2 pixel = cell.xy * kLatticeStep + ivec2(place % kLatticeStep, place / kLatticeStep);
     if (pixel.x >= int(view.picture.x) || pixel.y >= int(view.picture.y)) {
         return;
@@ -25,4 +19,16 @@ void main() {
 #ifdef BEAMS_OUTPUT
     imageStore(beamsMap, pixel, sum);
 #endif
+}
+
+void main() {
+    int entry = int(gl_GlobalInvocationID.x) / kCellPixels;
+    int place = int(gl_GlobalInvocationID.x) % kCellPixels;
+    int count = int(sampled.count);
+    do {
+        if (entry < count) {
+            drawPixel(cells[entry], place);
+        }
+        entry += int(gl_NumWorkGroups.x) * kCellsAGroup;
+    } while (entry < count);
 }

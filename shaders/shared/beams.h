@@ -8,7 +8,9 @@ const int kLatticeStep = 4;       // pixels from one point of the lattice to the
 const int kTileCellsAcross = kTileSide / kLatticeStep;
 const int kTileCells = kTileCellsAcross * kTileCellsAcross;
 const int kCellPixels = kLatticeStep * kLatticeStep;
-const int kCellsAGroup = 64 / kCellPixels;  // sampled by one work group
+const int kBeamGroup = 64;  // invocations of a work group
+const int kCellsAGroup = kBeamGroup / kCellPixels;  // sampled by one work group at a time
+const int kMaxBeamGroups = 65535;  // as many as any OpenGL dispatches; each goes on until all is done
 const float kEndOfBeams = 1.0e5F;  // metres along the view axis, where nothing ends a beam before
 
 struct BeamTile {

@@ -13,10 +13,10 @@ const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
 const int kDirectionalLampsSlot = 2;
 const int kSpotConesSlot = 3;
+const int kSampledCellsSlot = 4;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
-const int kSampledCellsSlot = 8;
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;

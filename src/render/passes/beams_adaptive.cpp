@@ -1,5 +1,7 @@
 #include "render/passes/beams_adaptive.h"
 
+#include <algorithm>
+
 #include <shared/slots.h>
 
 #include "gl/counters.h"
@@ -8,7 +10,13 @@
 namespace ribalta {
 namespace {
 
-constexpr int kGroup = 64;  // invocations, in all of the method's compute shaders
+// An invocation for each of the tiles' cells, or as many as may be at once.
+void dispatchForCells(const BeamsWork& work) {
+    const std::size_t cells = work.tiles.tiles.size() * gpu::kTileCells;
+    const std::size_t groups = (cells + gpu::kBeamGroup - 1) / gpu::kBeamGroup;
+    glDispatchCompute(GLuint(std::min<std::size_t>(groups, gpu::kMaxBeamGroups)), 1, 1);
+    ++glCounters().drawCalls;
+}
 
 }  // namespace
 
@@ -47,8 +55,7 @@ void AdaptiveBeamsPass::findCells(const BeamsWork& work, const FrameTargets& tar
     glBindTextureUnit(gpu::kColorUnit, targets.color.name());
     glBindImageTexture(gpu::kBeamCellsUnit, cellsMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8);
     glUseProgram(cells_.name());
-    glDispatchCompute(GLuint((cells + kGroup - 1) / kGroup), 1, 1);
-    ++glCounters().drawCalls;
+    dispatchForCells(work);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_COMMAND_BARRIER_BIT);
 }
@@ -80,9 +87,7 @@ void AdaptiveBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
     glBindImageTexture(gpu::kBeamLatticeUnit, latticeMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
                        GL_RGBA32F);
     glUseProgram(programs.lattice.name());
-    const std::size_t points = work.tiles.tiles.size() * gpu::kTileCells;
-    glDispatchCompute(GLuint((points + kGroup - 1) / kGroup), 1, 1);
-    ++glCounters().drawCalls;
+    dispatchForCells(work);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 
     glBindTextureUnit(gpu::kBeamLatticeUnit, latticeMap_.name());
