@@ -1,12 +1,17 @@
-# Writes OUTPUT, a C++ file that holds the bytes of every file of FILES under the last part of its path,
-# as the map that FUNCTION, declared in HEADER, returns. Bytes, because no compiler has to take a string
-# as long as a script.
+# Writes OUTPUT, a C++ file that holds the bytes of every file of FILES as the map that FUNCTION, declared
+# in HEADER, returns: by its path below ROOT where that is given (FILES are then relative to it), by the
+# last part of its path otherwise. Bytes, because no compiler has to take a string as long as a script.
 set(arrays "")
 set(entries "")
 set(count 0)
 foreach(file IN LISTS FILES)
-    get_filename_component(name ${file} NAME)
-    file(READ ${file} bytes HEX)
+    if(DEFINED ROOT)
+        set(name ${file})
+        file(READ ${ROOT}/${file} bytes HEX)
+    else()
+        get_filename_component(name ${file} NAME)
+        file(READ ${file} bytes HEX)
+    endif()
     string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
     string(APPEND arrays "const unsigned char kFile${count}[] = {${bytes}};\n")
     string(APPEND entries "        {\"${name}\", text(kFile${count}, sizeof kFile${count})},\n")

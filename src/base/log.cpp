@@ -12,10 +12,6 @@ void setVerbose(bool verbose) {
     verboseSwitch = verbose;
 }
 
-bool isVerbose() {
-    return verboseSwitch;
-}
-
 void logWarning(const std::string& line) {
     Progress::writeLine("ribalta: warning: " + oneLine(line));
 }

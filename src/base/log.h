@@ -7,7 +7,6 @@ namespace ribalta {
 
 /// Switches logVerbose on or off; off at start.
 void setVerbose(bool verbose);
-bool isVerbose();
 
 /// "ribalta: warning: ..." always.
 void logWarning(const std::string& line);

@@ -20,7 +20,7 @@ void append(const std::string& file, ShaderSource& source) {
     source.files.push_back(file);
     source.text += "#line 1 " + std::to_string(number) + "\n";
 
-    std::istringstream lines(found->second);
+    std::istringstream lines{std::string(found->second)};
     std::string line;
     for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
         const std::string directive = "#include \"";

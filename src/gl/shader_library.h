@@ -3,12 +3,13 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ribalta {
 
 /// Every file of shaders/ by its path there, e.g. "lib/brdf.glsl".
-const std::map<std::string, std::string>& embeddedShaders();
+const std::map<std::string, std::string_view>& embeddedShaders();
 
 struct ShaderSource {
     std::string text;

@@ -23,7 +23,6 @@ struct Haze {
     PhaseFunction phase;
 
     double extinctionPerMetre() const { return scatteringPerMetre + absorptionPerMetre; }
-    bool isClear() const { return scatteringPerMetre <= 0.0 && absorptionPerMetre <= 0.0; }
     bool operator==(const Haze&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "options.h"
+#include "parse_number.h"
 
 namespace ribalta {
 namespace {
@@ -21,18 +22,12 @@ std::vector<std::string> methodNames() {
 // The number before a unit; `expected` says what was.
 double parseWithUnit(const std::string& option, const std::string& text, const std::string& unit,
                      double low, double high, const std::string& expected) {
-    std::size_t used = 0;
-    double value = 0.0;
-    try {
-        value = std::stod(text, &used);
-    } catch (const std::exception&) {
-        used = 0;
-    }
-    const std::string rest = text.substr(used);
-    if (used == 0 || (!rest.empty() && rest != unit) || !(value >= low && value <= high)) {
+    const std::size_t digits = text.ends_with(unit) ? text.size() - unit.size() : text.size();
+    const std::optional<double> value = parseNumber<double>(text.substr(0, digits));
+    if (!value || *value < low || *value > high) {
         throw CLI::ValidationError(option, "'" + text + "' is not " + expected);
     }
-    return value;
+    return *value;
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "measure/error_picture.h"
 #include "measure/picture_error.h"
 #include "options.h"
+#include "parse_number.h"
 
 namespace ribalta {
 namespace {
@@ -152,7 +153,7 @@ void print(const CompareOptions& options, const Comparison& found) {
 // Full scale of the difference picture, in % of the display's.
 double scaleOf(const CompareOptions& options, const Comparison& found) {
     if (options.scale != "auto") {
-        return std::stod(options.scale);
+        return parseNumber<double>(options.scale).value();
     }
     const double largest = 100.0 * found.display.largest.size();
     return largest > 0.0 ? largest : 100.0;

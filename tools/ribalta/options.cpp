@@ -1,34 +1,16 @@
 #include "options.h"
 
-#include <charconv>
-#include <cmath>
-
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "base/log.h"
+#include "parse_number.h"
 
 namespace ribalta {
 namespace {
 
 constexpr int kMaxSide = 16384;
 constexpr int kMaxCells = 1024;
-
-// The whole text as a finite number.
-template <typename Number>
-std::optional<Number> parseNumber(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) {
-        return std::nullopt;
-    }
-    if constexpr (std::is_floating_point_v<Number>) {
-        if (!std::isfinite(value)) {
-            return std::nullopt;
-        }
-    }
-    return value;
-}
 
 PictureSize parsePair(const char* option, const std::string& text, int limit) {
     const std::size_t cross = text.find('x');
@@ -43,6 +25,31 @@ PictureSize parsePair(const char* option, const std::string& text, int limit) {
 }
 
 }  // namespace
+
+void addSceneOption(CLI::App& command, std::string& scene) {
+    command.add_option("scene", scene, "glTF scene, .gltf or .glb")->type_name("FILE")->required();
+}
+
+void addCameraOption(CLI::App& command, std::optional<std::string>& camera) {
+    command
+        .add_option("--camera", camera,
+                    "camera, by name or counted from 0 (default: the first; without any, one that "
+                    "frames the scene)")
+        ->type_name("NAME|INDEX");
+}
+
+void addSizeOption(CLI::App& command, std::string& size) {
+    command.add_option("--size", size, "size of the picture in pixels")
+        ->type_name("WxH")
+        ->capture_default_str();
+}
+
+void addAmbientOption(CLI::App& command, double& lux) {
+    command.add_option("--ambient", lux, "even light from all around, in lux")
+        ->type_name("LUX")
+        ->check(expectNotNegative, "")
+        ->capture_default_str();
+}
 
 PictureSize parseSize(const std::string& text) {
     return parsePair("--size", text, kMaxSide);

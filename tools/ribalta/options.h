@@ -1,4 +1,5 @@
-// The texts of options into values. Throw CLI::ValidationError that says what was expected.
+// What subcommands' options have in common: options that several take, and their texts into values.
+// The latter throw CLI::ValidationError that says what was expected.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,17 @@
 #include "scene/camera.h"
 #include "scene/scene.h"
 
+namespace CLI {
+class App;
+}
+
 namespace ribalta {
+
+/// Options that several subcommands take. What they fill must outlive the parsing.
+void addSceneOption(CLI::App& command, std::string& scene);
+void addCameraOption(CLI::App& command, std::optional<std::string>& camera);
+void addSizeOption(CLI::App& command, std::string& size);
+void addAmbientOption(CLI::App& command, double& lux);
 
 struct PictureSize {
     int width;

@@ -18,6 +18,7 @@
 #include "image/write_image.h"
 #include "load_scene.h"
 #include "options.h"
+#include "parse_number.h"
 #include "reference/reference_file.h"
 #include "reference/reference_picture.h"
 #include "render/renderer.h"
@@ -124,32 +125,20 @@ void drawReferenceFile(const ReferenceOptions& options) {
 }
 
 std::string expectError(const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    const bool good = end != text.c_str() && *end == '\0' && value >= 1e-9 && value <= 0.1;
-    return good ? "" : "'" + text + "' is not a number in 1e-9..0.1";
+    const std::optional<double> value = parseNumber<double>(text);
+    return value && *value >= 1e-9 && *value <= 0.1 ? ""
+                                                    : "'" + text + "' is not a number in 1e-9..0.1";
 }
 
 void addOptions(CLI::App& command, ReferenceOptions& options) {
-    command.add_option("scene", options.scene, "glTF scene, .gltf or .glb")
-        ->type_name("FILE")
-        ->required();
+    addSceneOption(command, options.scene);
     command.add_option("-o,--output", options.output, "picture to write: .exr in cd/m2")
         ->type_name("FILE.exr")
         ->required();
-    command
-        .add_option("--camera", options.camera,
-                    "camera, by name or counted from 0 (default: the first; without any, one that "
-                    "frames the scene)")
-        ->type_name("NAME|INDEX");
-    command.add_option("--size", options.size, "size of the picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+    addCameraOption(command, options.camera);
+    addSizeOption(command, options.size);
     options.haze.addTo(command);
-    command.add_option("--ambient", options.ambient, "even light from all around, in lux")
-        ->type_name("LUX")
-        ->check(expectNotNegative, "")
-        ->capture_default_str();
+    addAmbientOption(command, options.ambient);
     command
         .add_option("--visibility", options.visibility,
                     "what blocks light: geometry, the scene's own triangles, or shadow-map, the "

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -111,22 +110,20 @@ BeamSettings chooseAndTell(Renderer& renderer, const Camera& camera, const Frame
         const Progress progress("choosing how to draw the beams");
         choice = chooseBeams(renderer, camera, settings, goal);
     }
-    char text[256];
-    std::snprintf(text, sizeof text, "beams: auto took %s with %d sheets: %.3g ms, error %.2g %%",
+    char took[128];
+    std::snprintf(took, sizeof took, "beams: auto took %s with %d sheets: %.3g ms, error %.2g %%",
                   std::string(name(choice.beams.method)).c_str(), choice.beams.planes,
                   choice.beamsMs, choice.errorPercent);
     if (choice.reached) {
-        logNote(text);
-    } else if (goal.budgetMs) {
-        std::snprintf(text + std::strlen(text), sizeof text - std::strlen(text),
-                      "; nothing keeps within %.3g ms here, this is the fastest", *goal.budgetMs);
-        logWarning(text);
-    } else {
-        std::snprintf(text + std::strlen(text), sizeof text - std::strlen(text),
-                      "; nothing keeps within %.3g %% here, this is the closest",
-                      goal.errorPercent);
-        logWarning(text);
+        logNote(took);
+        return choice.beams;
     }
+    char missed[96];
+    std::snprintf(missed, sizeof missed,
+                  goal.budgetMs ? "; nothing keeps within %.3g ms here, this is the fastest"
+                                : "; nothing keeps within %.3g %% here, this is the closest",
+                  goal.budgetMs.value_or(goal.errorPercent));
+    logWarning(std::string(took) + missed);
     return choice.beams;
 }
 
@@ -193,32 +190,21 @@ void render(const RenderOptions& options) {
 }
 
 void addPictureOptions(CLI::App& command, RenderOptions& options) {
-    command.add_option("scene", options.scene, "glTF scene, .gltf or .glb")
-        ->type_name("FILE")
-        ->required();
+    addSceneOption(command, options.scene);
     command
         .add_option("-o,--output", options.outputs,
                     "picture to write: .png for the screen, .exr in cd/m2; may be given several "
                     "times")
         ->type_name("FILE")
         ->allow_extra_args(false);
-    command
-        .add_option("--camera", options.camera,
-                    "camera, by name or counted from 0 (default: the first; without any, one that "
-                    "frames the scene)")
-        ->type_name("NAME|INDEX");
-    command.add_option("--size", options.size, "size of the picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+    addCameraOption(command, options.camera);
+    addSizeOption(command, options.size);
     command
         .add_option("--exposure", options.exposure,
                     "exposure of the .png as EV100, -60..60, or auto; 1 more halves its brightness")
         ->type_name("EV100|auto")
         ->capture_default_str();
-    command.add_option("--ambient", options.ambient, "even light from all around, in lux")
-        ->type_name("LUX")
-        ->check(expectNotNegative, "")
-        ->capture_default_str();
+    addAmbientOption(command, options.ambient);
     command
         .add_option("--aov", options.layers,
                     "more layers of the .exr, by comma: beams, transmittance, depth, normal")

@@ -15,6 +15,7 @@
 #include "haze_options.h"
 #include "measure/pessoa2007.h"
 #include "measure/sweep_report.h"
+#include "options.h"
 #include "sweep_plan.h"
 #include "sweep_run.h"
 
@@ -187,10 +188,7 @@ void addPointOptions(CLI::App& command, SweepOptions& options) {
                     "for each (default: the renderer's own)")
         ->type_name("SHARES");
     options.haze.addTo(command);
-    command.add_option("--ambient", options.ambient, "even light from all around, in lux")
-        ->type_name("LUX")
-        ->check(expectNotNegative, "")
-        ->capture_default_str();
+    addAmbientOption(command, options.ambient);
     command
         .add_option("--preset", options.preset,
                     "pessoa2007: the six configurations of the thesis, at 640x480, its table "

@@ -1,7 +1,6 @@
 #include "sweep_plan.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -14,6 +13,7 @@
 #include "load_scene.h"
 #include "measure/content_hash.h"
 #include "measure/pessoa2007.h"
+#include "parse_number.h"
 
 namespace ribalta {
 namespace {
@@ -39,18 +39,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
                                    "counts in 1..65536 that rise, at most 256 of them");
 }
 
-template <typename Number>
-std::optional<Number> parseWhole(const std::string& text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-        return std::nullopt;
-    }
-    return value;
-}
-
 int planeCount(const std::string& part, const std::string& text) {
-    const std::optional<int> count = parseWhole<int>(part);
+    const std::optional<int> count = parseNumber<int>(part);
     if (!count || *count < 1 || *count > kMaxPlanes) {
         refusePlanes(text);
     }
@@ -62,9 +52,9 @@ std::vector<int> planeRange(const std::vector<std::string>& parts, const std::st
     const int last = planeCount(parts[1], text);
     const std::string step = parts.size() > 2 ? parts[2] : "2x";
     const bool isFactor = step.ends_with('x');
-    const auto by = parseWhole<double>(isFactor ? step.substr(0, step.size() - 1) : step);
-    if (parts.size() > 3 || last < first || !by || !std::isfinite(*by) ||
-        (isFactor && *by < 1.01) || (!isFactor && (*by < 1.0 || *by != std::floor(*by)))) {
+    const auto by = parseNumber<double>(isFactor ? step.substr(0, step.size() - 1) : step);
+    if (parts.size() > 3 || last < first || !by || (isFactor && *by < 1.01) ||
+        (!isFactor && (*by < 1.0 || *by != std::floor(*by)))) {
         refusePlanes(text);
     }
     std::vector<int> counts;
@@ -199,7 +189,7 @@ std::vector<BeamMethod> parseMethods(const std::string& text) {
 std::vector<double> parseTolerances(const std::string& text) {
     std::vector<double> tolerances;
     for (const std::string& part : text.empty() ? std::vector<std::string>() : split(text, ',')) {
-        const std::optional<double> tolerance = parseWhole<double>(part);
+        const std::optional<double> tolerance = parseNumber<double>(part);
         if (!tolerance || !(*tolerance >= 0.0 && *tolerance <= 1.0)) {
             throw CLI::ValidationError("--tolerance", "'" + part + "' is not a number in 0..1");
         }

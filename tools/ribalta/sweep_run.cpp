@@ -28,6 +28,12 @@ using Json = nlohmann::json;
 
 constexpr int kPictureWidth = 480;
 
+#ifdef NDEBUG
+constexpr const char* kBuildType = "release";
+#else
+constexpr const char* kBuildType = "debug";
+#endif
+
 std::string now() {
     const std::time_t time = std::time(nullptr);
     std::tm parts{};
@@ -85,7 +91,7 @@ Json makeContext(const Context& context, const std::string& program) {
             {"cpu", processorName()},
             {"num_cpus", std::thread::hardware_concurrency()},
             {"system", systemName()},
-            {"library_build_type", "release"}};
+            {"library_build_type", kBuildType}};
 }
 
 std::string fileName(const SweepPoint& point) {
