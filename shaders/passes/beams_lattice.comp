@@ -3,10 +3,10 @@
 #include "passes/beams_sheets.glsl"
 
 layout(local_size_x = kBeamGroup) in;
-layout(std430, binding = kTilesSlot) readonly buffer Tiles { BeamTile tiles[]; };
+layout(std430, binding = kTilesSlot) readonly buffer Tiles { BeamSquare tiles[]; };
 layout(rgba32f, binding = kBeamLatticeUnit) uniform writeonly image2D latticeMap;
 
-void drawPoint(BeamTile tile, int place) {
+void drawPoint(BeamSquare tile, int place) {
     ivec2 point = tile.place.xy * kTileCellsAcross +
                   ivec2(place % kTileCellsAcross, place / kTileCellsAcross);
     ivec2 pixel = min(point * kLatticeStep, ivec2(view.picture.xy) - 1);

@@ -4,7 +4,7 @@
 #include "shared/beams.h"
 
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
-layout(std430, binding = kTilesSlot) readonly buffer Tiles { BeamTile tiles[]; };
+layout(std430, binding = kTilesSlot) readonly buffer Tiles { BeamSquare tiles[]; };
 flat out ivec2 lampRange;
 
 void main() {

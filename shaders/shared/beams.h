@@ -5,16 +5,20 @@ SHARED_BEGIN
 
 const int kTileSide = 16;         // pixels
 const int kLatticeStep = 4;       // pixels from one point of the lattice to the next; a cell's side
+const int kFineStep = 2;          // the same in the cells that are looked at closer; a quad's side
 const int kTileCellsAcross = kTileSide / kLatticeStep;
 const int kTileCells = kTileCellsAcross * kTileCellsAcross;
-const int kCellPixels = kLatticeStep * kLatticeStep;
-const int kBeamGroup = 64;  // invocations of a work group
-const int kCellsAGroup = kBeamGroup / kCellPixels;  // sampled by one work group at a time
+const int kCellQuadsAcross = kLatticeStep / kFineStep;
+const int kCellQuads = kCellQuadsAcross * kCellQuadsAcross;
+const int kNewPoints = 3;   // that halving the step adds to a cell or quad, whose own is known
+const int kBeamGroup = 64;  // invocations of a work group that goes through the tiles
+const int kListGroup = 32;  // entries of a list of cells or quads that a work group takes
 const int kMaxBeamGroups = 65535;  // as many as any OpenGL dispatches; each goes on until all is done
 const float kEndOfBeams = 1.0e5F;  // metres along the view axis, where nothing ends a beam before
 
-struct BeamTile {
-    ivec4 place;  // x, y in tiles; first entry and number of entries in the list of lamps
+// A square of the picture that beams cover: a tile, or a cell or quad in one.
+struct BeamSquare {
+    ivec4 place;  // x, y in sides of the square; first entry and number of entries in the list of lamps
     ivec4 detail; // x: 1 where a beam is so thin that it may pass between lattice points
 };
 
@@ -26,8 +30,8 @@ struct BeamSettings {
     vec4 adaptive;  // how far interpolation may be off what the screen shows, 0..1
 };
 
-// The list of cells to sample, as an indirect dispatch reads it.
-struct SampledCellsHead {
+// Before a list of squares to sample: what an indirect dispatch reads, and how many there are.
+struct SampledHead {
     uint groupsX;
     uint groupsY;
     uint groupsZ;

@@ -17,14 +17,16 @@ const int kSampledCellsSlot = 4;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
+const int kSampledQuadsSlot = 1;  // point lamps have no beams
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;
 const int kDepthUnit = 2;
 const int kColorUnit = 3;
 const int kBeamLatticeUnit = 4;
-const int kBeamCellsUnit = 5;
+const int kBeamQuadsUnit = 5;
 const int kBeamsOutputUnit = 6;
+const int kBeamFineUnit = 7;
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
 // Vertex attributes.
 const int kPositionAttribute = 0;

@@ -77,11 +77,11 @@ BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, in
 
 void markThinBeams(const std::vector<std::vector<glm::dvec2>>& outlines, int width, int height,
                    BeamTiles& tiles) {
-    const auto before = [](const gpu::BeamTile& a, const gpu::BeamTile& b) {
+    const auto before = [](const gpu::BeamSquare& a, const gpu::BeamSquare& b) {
         return std::pair(a.place.y, a.place.x) < std::pair(b.place.y, b.place.x);
     };
     const BeamTiles thin = makeBeamTiles(outlines, width, height);
-    for (gpu::BeamTile& tile : tiles.tiles) {
+    for (gpu::BeamSquare& tile : tiles.tiles) {
         const bool marked = std::binary_search(thin.tiles.begin(), thin.tiles.end(), tile, before);
         tile.detail.x = marked ? 1 : 0;
     }
@@ -90,18 +90,18 @@ void markThinBeams(const std::vector<std::vector<glm::dvec2>>& outlines, int wid
 BeamTiles oneLampEach(const BeamTiles& tiles) {
     BeamTiles result;
     result.lamps = tiles.lamps;
-    for (const gpu::BeamTile& tile : tiles.tiles) {
+    for (const gpu::BeamSquare& tile : tiles.tiles) {
         for (int i = 0; i < tile.place.w; ++i) {
             result.tiles.push_back(
                 {glm::ivec4(tile.place.x, tile.place.y, tile.place.z + i, 1), tile.detail});
         }
     }
-    const auto lampOf = [&](const gpu::BeamTile& tile) {
+    const auto lampOf = [&](const gpu::BeamSquare& tile) {
         return result.lamps[std::size_t(tile.place.z)];
     };
     std::stable_sort(
         result.tiles.begin(), result.tiles.end(),
-        [&](const gpu::BeamTile& a, const gpu::BeamTile& b) { return lampOf(a) < lampOf(b); });
+        [&](const gpu::BeamSquare& a, const gpu::BeamSquare& b) { return lampOf(a) < lampOf(b); });
     return result;
 }
 

@@ -9,7 +9,7 @@
 namespace ribalta {
 
 struct BeamTiles {
-    std::vector<gpu::BeamTile> tiles;  ///< those with at least one lamp, row by row from below
+    std::vector<gpu::BeamSquare> tiles;  ///< those with at least one lamp, row by row from below
     std::vector<int> lamps;            ///< the tiles' lists, one after another
 };
 

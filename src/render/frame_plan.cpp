@@ -312,7 +312,7 @@ int FramePlan::beamTilesDrawn() const {
         return beamTilesTotal();  // they go through the whole view
     }
     std::set<std::pair<int, int>> places;  // a tile may be there once for each of its lamps
-    for (const gpu::BeamTile& tile : beams->tiles.tiles) {
+    for (const gpu::BeamSquare& tile : beams->tiles.tiles) {
         places.emplace(tile.place.x, tile.place.y);
     }
     return int(places.size());
@@ -328,7 +328,7 @@ std::uint64_t FramePlan::beamSamples() const {
                std::uint64_t(settings.height);
     }
     std::uint64_t pixelLamps = 0;
-    for (const gpu::BeamTile& tile : beams->tiles.tiles) {
+    for (const gpu::BeamSquare& tile : beams->tiles.tiles) {
         const int across = std::min(gpu::kTileSide, settings.width - tile.place.x * gpu::kTileSide);
         const int down = std::min(gpu::kTileSide, settings.height - tile.place.y * gpu::kTileSide);
         pixelLamps += std::uint64_t(across) * std::uint64_t(down) * std::uint64_t(tile.place.w);

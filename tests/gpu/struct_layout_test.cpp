@@ -96,8 +96,8 @@ TEST_F(StructLayout, WhatBeamsRead) {
                  {MEMBER(SpotLamp, lampFromView), MEMBER(SpotLamp, candela), MEMBER(SpotLamp, cone),
                   MEMBER(SpotLamp, projection), MEMBER(SpotLamp, shadow), MEMBER(SpotLamp, layers)},
                  sizeof(gpu::SpotLamp), 6);
-    expectBuffer(program, "Tiles", "tiles", {MEMBER(BeamTile, place), MEMBER(BeamTile, detail)},
-                 sizeof(gpu::BeamTile), 2);
+    expectBuffer(program, "Tiles", "tiles", {MEMBER(BeamSquare, place), MEMBER(BeamSquare, detail)},
+                 sizeof(gpu::BeamSquare), 2);
     EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "tileLamps[0]", GL_ARRAY_STRIDE),
               GLint(sizeof(int)));
 }

@@ -18,60 +18,113 @@ void dispatchForCells(const BeamsWork& work) {
     ++glCounters().drawCalls;
 }
 
+// Work groups for what a list of squares holds, which only the GPU knows.
+void dispatchForList(const Buffer& list) {
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, list.name());
+    glDispatchComputeIndirect(0);
+    ++glCounters().drawCalls;
+}
+
+// An empty list with room for so many squares.
+void beginList(Buffer& list, const char* name, GLuint slot, std::size_t squares) {
+    gpu::SampledHead head{};
+    head.groupsY = 1;
+    head.groupsZ = 1;
+    list.reserve(name, sizeof head + squares * sizeof(gpu::BeamSquare));
+    list.write(name, std::as_bytes(std::span(&head, 1)));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, list.name());
+}
+
+void clear(const Texture2D& map) {
+    const float dark[] = {0.0F, 0.0F, 0.0F, 0.0F};
+    glClearTexImage(map.name(), 0, GL_RGBA, GL_FLOAT, dark);
+}
+
 }  // namespace
 
 AdaptiveBeamsPass::AdaptiveBeamsPass()
-    : cells_({"passes/beams_cells.comp"}), exposure_({"BEAM_LATTICE"}) {}
+    : cells_({"passes/beams_cells.comp"}),
+      quads_({"passes/beams_quads.comp"}),
+      exposure_({"BEAM_LATTICE"}) {}
 
 AdaptiveBeamsPass::Programs& AdaptiveBeamsPass::programsFor(const BeamsWork& work) {
     Programs& programs = programs_[{work.phase, work.separateOutput}];
     if (!programs.fill) {
         const std::vector<std::string> defines = beamDefines(work);
         programs.lattice = Program({"passes/beams_lattice.comp"}, defines);
-        programs.fill = Program({"passes/beams_tiles.vert", "passes/beams_fill.frag"}, defines);
+        programs.fine = Program({"passes/beams_fine.comp"}, defines);
+        programs.fill = Program({"passes/beams_fill.comp"}, defines);
         programs.samples = Program({"passes/beams_samples.comp"}, defines);
     }
     return programs;
 }
 
-void AdaptiveBeamsPass::makeLattice(const glm::ivec2& points) {
-    if (latticeMap_ && latticeMap_.size().width == points.x &&
-        latticeMap_.size().height == points.y) {
-        return;
+void AdaptiveBeamsPass::makeMaps(const BeamsWork& work, const FrameTargets& targets) {
+    const glm::ivec2 points = work.latticePoints;
+    const Texture2D::Size& picture = targets.color.size();
+    const Texture2D::Size fine = {(picture.width + gpu::kFineStep - 1) / gpu::kFineStep,
+                                  (picture.height + gpu::kFineStep - 1) / gpu::kFineStep, 0, 1};
+    if (!fineMap_ || fineMap_.size().width != fine.width || fineMap_.size().height != fine.height) {
+        latticeMap_ = Texture2D("beam lattice", GL_RGBA32F, {points.x, points.y, 0, 1});
+        fineMap_ = Texture2D("fine beam lattice", GL_RGBA32F, fine);
+        quadsMap_ = Texture2D("sampled quads", GL_R8, fine);
     }
-    latticeMap_ = Texture2D("beam lattice", GL_RGBA32F, {points.x, points.y, 0, 1});
-    cellsMap_ = Texture2D("beam lattice cells", GL_R8, {points.x, points.y, 0, 1});
+    clear(latticeMap_);
+    clear(fineMap_);
+    clear(quadsMap_);
 }
 
-// The list of cells that interpolation does not fill well enough.
-void AdaptiveBeamsPass::findCells(const BeamsWork& work, const FrameTargets& targets) {
-    gpu::SampledCellsHead head{};
-    head.groupsY = 1;
-    head.groupsZ = 1;
+void AdaptiveBeamsPass::drawLattice(const BeamsWork& work, const Program& program) const {
+    glBindImageTexture(gpu::kBeamLatticeUnit, latticeMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+                       GL_RGBA32F);
+    glUseProgram(program.name());
+    dispatchForCells(work);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+// The list of cells that interpolation does not fill well enough, and the finer lattice.
+void AdaptiveBeamsPass::drawFineLattice(const BeamsWork& work, const Program& program) {
     const std::size_t cells = work.tiles.tiles.size() * gpu::kTileCells;
-    sampledCells_.reserve("sampled cells", sizeof head + cells * sizeof(glm::ivec4));
-    sampledCells_.write("sampled cells", std::as_bytes(std::span(&head, 1)));
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSampledCellsSlot, sampledCells_.name());
-    glBindTextureUnit(gpu::kColorUnit, targets.color.name());
-    glBindImageTexture(gpu::kBeamCellsUnit, cellsMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8);
+    beginList(sampledCells_, "sampled cells", gpu::kSampledCellsSlot, cells);
+    glBindTextureUnit(gpu::kBeamLatticeUnit, latticeMap_.name());
+    glBindImageTexture(gpu::kBeamFineUnit, fineMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+                       GL_RGBA32F);
     glUseProgram(cells_.name());
     dispatchForCells(work);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+
+    glUseProgram(program.name());
+    dispatchForList(sampledCells_);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+// The list of quads that interpolation does not fill well enough.
+void AdaptiveBeamsPass::findQuads(const BeamsWork& work) {
+    const std::size_t cells = work.tiles.tiles.size() * gpu::kTileCells;
+    beginList(sampledQuads_, "sampled quads", gpu::kSampledQuadsSlot, cells * gpu::kCellQuads);
+    glBindTextureUnit(gpu::kBeamFineUnit, fineMap_.name());
+    glBindImageTexture(gpu::kBeamQuadsUnit, quadsMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R8);
+    glUseProgram(quads_.name());
+    dispatchForList(sampledCells_);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_COMMAND_BARRIER_BIT);
 }
 
-void AdaptiveBeamsPass::sampleCells(const BeamsWork& work, const Program& program,
-                                    const FrameTargets& targets) {
+// What adds to the picture: interpolation, then the listed quads.
+void AdaptiveBeamsPass::fillPicture(const BeamsWork& work, const Programs& programs,
+                                    const FrameTargets& targets) const {
     glBindImageTexture(gpu::kColorUnit, targets.color.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
                        GL_RGBA32F);
     if (work.separateOutput) {
         glBindImageTexture(gpu::kBeamsOutputUnit, targets.beams.name(), 0, GL_FALSE, 0,
                            GL_WRITE_ONLY, GL_RGBA32F);
     }
-    glUseProgram(program.name());
-    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, sampledCells_.name());
-    glDispatchComputeIndirect(0);
-    ++glCounters().drawCalls;
+    glBindTextureUnit(gpu::kBeamQuadsUnit, quadsMap_.name());
+    glUseProgram(programs.fill.name());
+    dispatchForCells(work);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glUseProgram(programs.samples.name());
+    dispatchForList(sampledQuads_);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                     GL_FRAMEBUFFER_BARRIER_BIT);
 }
@@ -79,25 +132,17 @@ void AdaptiveBeamsPass::sampleCells(const BeamsWork& work, const Program& progra
 void AdaptiveBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
                              const Texture2D& shadowMaps, const FrameTargets& targets) {
     const Programs& programs = programsFor(work);
-    makeLattice(work.latticePoints);
+    makeMaps(work, targets);
     inputs_.bind(work, gpuScene, shadowMaps, targets);
-
-    const float dark[] = {0.0F, 0.0F, 0.0F, 0.0F};
-    glClearTexImage(latticeMap_.name(), 0, GL_RGBA, GL_FLOAT, dark);
-    glBindImageTexture(gpu::kBeamLatticeUnit, latticeMap_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
-                       GL_RGBA32F);
-    glUseProgram(programs.lattice.name());
-    dispatchForCells(work);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    drawLattice(work, programs.lattice);
 
     glBindTextureUnit(gpu::kBeamLatticeUnit, latticeMap_.name());
     exposure_.draw(work.ev100, targets.color);
-    findCells(work, targets);
+    glBindTextureUnit(gpu::kColorUnit, targets.color.name());
+    drawFineLattice(work, programs.fine);
+    findQuads(work);
 
-    targets.haze.bind();
-    glBindTextureUnit(gpu::kBeamCellsUnit, cellsMap_.name());
-    inputs_.drawTiles(programs.fill, Blend::kAdd);
-    sampleCells(work, programs.samples, targets);
+    fillPicture(work, programs, targets);
     inputs_.unbind();
 }
 

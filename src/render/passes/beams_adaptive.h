@@ -1,5 +1,6 @@
-// Beams, method `adaptive`: sampled on a lattice of pixels, interpolated between its points, and
-// sampled anew in the cells where that would show. Compute shaders but for the interpolation.
+// Beams, method `adaptive`: sampled on a lattice of pixels and interpolated between its points;
+// where that would show, on a lattice twice as fine; and where that would show too, at every pixel.
+// Compute shaders but for the interpolation.
 #pragma once
 
 #include <map>
@@ -24,23 +25,30 @@ class AdaptiveBeamsPass {
   private:
     struct Programs {
         Program lattice;
+        Program fine;
         Program fill;
         Program samples;
     };
 
     Programs& programsFor(const BeamsWork& work);
-    void makeLattice(const glm::ivec2& points);
-    void findCells(const BeamsWork& work, const FrameTargets& targets);
-    void sampleCells(const BeamsWork& work, const Program& program, const FrameTargets& targets);
+    void makeMaps(const BeamsWork& work, const FrameTargets& targets);
+    void drawLattice(const BeamsWork& work, const Program& program) const;
+    void drawFineLattice(const BeamsWork& work, const Program& program);
+    void findQuads(const BeamsWork& work);
+    void fillPicture(const BeamsWork& work, const Programs& programs,
+                     const FrameTargets& targets) const;
 
     /// By phase function and separate output.
     std::map<std::pair<PhaseFunction::Kind, bool>, Programs> programs_;
     Program cells_;
+    Program quads_;
     ExposureMeter exposure_;  ///< what the screen will show is not known before the beams are drawn
     SheetInputs inputs_;
     Texture2D latticeMap_;  ///< cd/m2; alpha: metres along the ray to the end of the last beam
-    Texture2D cellsMap_;    ///< 1: sampled anew
+    Texture2D fineMap_;     ///< the same at the finer lattice's points
+    Texture2D quadsMap_;    ///< 1: sampled at every pixel
     Buffer sampledCells_;
+    Buffer sampledQuads_;
 };
 
 }  // namespace ribalta

@@ -22,7 +22,7 @@ class TileLists {
         lists_.assign(std::size_t(across) * std::size_t(down), {});
         across_ = across;
         std::set<std::pair<int, int>> places;
-        for (const gpu::BeamTile& tile : tiles.tiles) {
+        for (const gpu::BeamSquare& tile : tiles.tiles) {
             const glm::ivec4 place = tile.place;
             EXPECT_TRUE(places.emplace(place.x, place.y).second) << "a tile twice";
             EXPECT_GT(place.w, 0) << "an empty tile";
