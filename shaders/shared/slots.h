@@ -17,7 +17,7 @@ const int kSampledCellsSlot = 4;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
-const int kSampledQuadsSlot = 1;  // point lamps have no beams
+const int kSampledQuadsSlot = 3;  // only surfaces ask for cones
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;
