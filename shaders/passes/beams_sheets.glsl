@@ -18,6 +18,10 @@ layout(std140, binding = kBeamSettingsSlot) uniform SettingsBlock { BeamSettings
 layout(std430, binding = kLampsSlot) readonly buffer SpotLamps { SpotLamp spotLamps[]; };
 layout(std430, binding = kTileLampsSlot) readonly buffer TileLamps { int tileLamps[]; };
 layout(binding = kShadowMapsUnit) uniform sampler2DArray shadowMaps;
+#ifdef SHADOW_RUNS
+layout(binding = kShadowPyramidUnit) uniform sampler2DArray shadowPyramid;
+#include "lib/shadow_runs.glsl"
+#endif
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
 
@@ -90,10 +94,22 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
     // it where both sides of a branch are run. The test stands last, since a round that only finds the
     // end costs as much as any other there.
     // Steps are counted: a sum of 1 / count drifts until it takes a sample too many or too few.
+#ifdef SHADOW_RUNS
+    // Sets of sheets one after another, and of each only the lit sheets.
+    LampStretch stretch = LampStretch(slope0, slope1, 1.0 / z0, 1.0 / z1);
+    float set = 0.0;
+    do {
+    uint lit = litSheets(lamp, stretch, set, count, hit);
+    do {  // indented as the loop that it takes the place of
+        uint low = lit & (0u - lit);
+        lit ^= low;
+        float x = low != 0u ? (set + float(lowestBit(low)) + 0.5) / count : 0.5;
+#else
     float stop = hit ? count : 0.0;
     float i = 0.5;
     do {
         float x = i / count;
+#endif
 #ifdef EVEN_STEPS
         float t = mix(entry, exit, x);
         vec3 lampToPoint = origin + t * direction;
@@ -120,11 +136,15 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
         if (!pyramid) {
             share *= coneFalloff(depth / lampMetres, lamp.cone.x, lamp.cone.y);
         }
+#ifdef SHADOW_RUNS
+        share = low != 0u ? share : 0.0;
+#else
         if (lamp.layers.x >= 0) {
             vec3 at = shadowCoordinates(slope, inverseDepth, lamp.shadow.x, lamp.shadow.y);
             ivec3 texel = ivec3(ivec2(at.xy * lamp.shadow.w), lamp.layers.x);
             share *= texelFetch(shadowMaps, texel, 0).r <= at.z ? 1.0 : 0.0;
         }
+#endif
         if (lamp.layers.y >= 0) {
             vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);
             float metres = view.halfExtent.z > 0.5 ? 1.0 : t;
@@ -134,8 +154,14 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
         } else {
             sum += vec3(share);
         }
+#ifdef SHADOW_RUNS
+    } while (lit != 0u);
+    set += float(kSheetsASet);
+    } while (hit && set < count);
+#else
         i += 1.0;
     } while (i < stop);
+#endif
 #ifdef EVEN_STEPS
     float step = width / count;
 #else

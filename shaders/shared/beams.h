@@ -26,6 +26,15 @@ struct BeamSettings {
     vec4 adaptive;  // how far interpolation may be off what the screen shows, 0..1
 };
 
+// What the shadow maps' pyramid told of the runs of sheets it was asked about, and the sheets whose
+// texel was then looked at.
+struct RunCounts {
+    uint mixed;
+    uint dark;
+    uint lit;
+    uint fetches;
+};
+
 // The list of cells to sample, as an indirect dispatch reads it.
 struct SampledCellsHead {
     uint groupsX;

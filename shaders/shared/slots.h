@@ -17,6 +17,8 @@ const int kSampledCellsSlot = 4;
 const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
+const int kPyramidLayersSlot = 4;  // before the beams
+const int kRunCountsSlot = 1;      // while beams are drawn
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;
@@ -25,6 +27,8 @@ const int kColorUnit = 3;
 const int kBeamLatticeUnit = 4;
 const int kBeamCellsUnit = 5;
 const int kBeamsOutputUnit = 6;
+const int kShadowPyramidUnit = 7;
+const int kPyramidUnit = 0;  // an image, as kColorUnit, kBeamLatticeUnit ... are
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
 // Vertex attributes.
 const int kPositionAttribute = 0;

@@ -7,6 +7,12 @@ std::vector<std::string> beamDefines(const BeamsWork& work) {
     if (work.separateOutput) {
         defines.emplace_back("BEAMS_OUTPUT");
     }
+    if (work.shadowPyramid) {
+        defines.emplace_back("SHADOW_RUNS");
+        if (work.countRuns) {
+            defines.emplace_back("COUNT_RUNS");
+        }
+    }
     return defines;
 }
 

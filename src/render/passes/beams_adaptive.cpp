@@ -24,7 +24,7 @@ AdaptiveBeamsPass::AdaptiveBeamsPass()
     : cells_({"passes/beams_cells.comp"}), exposure_({"BEAM_LATTICE"}) {}
 
 AdaptiveBeamsPass::Programs& AdaptiveBeamsPass::programsFor(const BeamsWork& work) {
-    Programs& programs = programs_[{work.phase, work.separateOutput}];
+    Programs& programs = programs_[beamDefines(work)];
     if (!programs.fill) {
         const std::vector<std::string> defines = beamDefines(work);
         programs.lattice = Program({"passes/beams_lattice.comp"}, defines);
@@ -77,10 +77,10 @@ void AdaptiveBeamsPass::sampleCells(const BeamsWork& work, const Program& progra
 }
 
 void AdaptiveBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
-                             const Texture2D& shadowMaps, const FrameTargets& targets) {
+                             const ShadowTextures& shadows, const FrameTargets& targets) {
     const Programs& programs = programsFor(work);
     makeLattice(work.latticePoints);
-    inputs_.bind(work, gpuScene, shadowMaps, targets);
+    inputs_.bind(work, gpuScene, shadows, targets);
 
     const float dark[] = {0.0F, 0.0F, 0.0F, 0.0F};
     glClearTexImage(latticeMap_.name(), 0, GL_RGBA, GL_FLOAT, dark);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
@@ -18,8 +20,10 @@ namespace ribalta {
 class AdaptiveBeamsPass {
   public:
     AdaptiveBeamsPass();
-    void draw(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
+    void draw(const BeamsWork& work, const GpuScene& gpuScene, const ShadowTextures& shadows,
               const FrameTargets& targets);
+    /// Of the last draw, which was told to count them.
+    gpu::RunCounts runCounts() const { return inputs_.runCounts(); }
 
   private:
     struct Programs {
@@ -33,8 +37,8 @@ class AdaptiveBeamsPass {
     void findCells(const BeamsWork& work, const FrameTargets& targets);
     void sampleCells(const BeamsWork& work, const Program& program, const FrameTargets& targets);
 
-    /// By phase function and separate output.
-    std::map<std::pair<PhaseFunction::Kind, bool>, Programs> programs_;
+    /// By defines.
+    std::map<std::vector<std::string>, Programs> programs_;
     Program cells_;
     ExposureMeter exposure_;  ///< what the screen will show is not known before the beams are drawn
     SheetInputs inputs_;
