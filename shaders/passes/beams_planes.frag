@@ -50,10 +50,12 @@ vec3 sheetLight() {
         factor *= texture(shadowMaps, vec4(at.xy, float(lamp.layers.x), at.z));
     }
     vec3 light = lamp.candela.rgb * factor;
+#ifdef LIGHT_MAPS
     if (lamp.layers.y >= 0) {
         vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);
         light *= textureLod(lightMaps, vec3(uv, float(lamp.layers.y)), 0.0).rgb;
     }
+#endif
     return light;
 }
 

@@ -18,8 +18,10 @@ layout(std140, binding = kBeamSettingsSlot) uniform SettingsBlock { BeamSettings
 layout(std430, binding = kLampsSlot) readonly buffer SpotLamps { SpotLamp spotLamps[]; };
 layout(std430, binding = kTileLampsSlot) readonly buffer TileLamps { int tileLamps[]; };
 layout(binding = kShadowMapsUnit) uniform sampler2DArray shadowMaps;
+layout(binding = kShadowPyramidUnit) uniform sampler2DArray shadowPyramid;
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
+#include "lib/shadow_runs.glsl"
 
 /// What a pixel sees of the haze: light from begin to end metres along the ray, in view space.
 struct PixelRay {
@@ -50,98 +52,156 @@ PixelRay pixelRay(ivec2 pixel) {
 /// not be what is wrong, and reading two takes longer.
 const float kSheetsForSmoothLevels = 24.0;
 
+bool isPyramid(SpotLamp lamp) { return lamp.projection.w > 0.5; }
+
 /// Level of the light map that one texel a step of `slopes` (x / z, y / z) across it asks for.
 float lightMapLevel(SpotLamp lamp, float slopes) {
     return log2(max(0.5 * lamp.projection.x * float(lamp.layers.z) * slopes, 1.0));
 }
 
-/// Light of one lamp that reaches the eye along the ray; beamEnd is grown to where the ray leaves the
-/// beam, were there no surface.
-vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
-    vec3 origin = (lamp.lampFromView * vec4(ray.origin, 1.0)).xyz;
-    vec3 direction = mat3(lamp.lampFromView) * ray.direction;
-    float entry;
+/// The part of a ray that lies in a beam, in the lamp's frame.
+struct BeamPart {
+    vec3 origin;     // of the ray
+    vec3 direction;  // unit
+    float entry;     // metres along the ray
     float exit;
+    float z0;        // depth along the beam at the entry, in metres
+    float z1;        // at the exit
+    LampStretch stretch;
+    float stepLevel;  // of the light map, for a sheet
+};
+
+/// False where the ray misses the beam, or a surface ends it before; beamEnd is grown to where the ray
+/// leaves the beam, were there no surface.
+bool clipToBeam(SpotLamp lamp, PixelRay ray, inout float beamEnd, out BeamPart part) {
+    part.origin = (lamp.lampFromView * vec4(ray.origin, 1.0)).xyz;
+    part.direction = mat3(lamp.lampFromView) * ray.direction;
     float zFar = lamp.candela.w > 0.0 ? 1.0 / lamp.candela.w : 1.0e30;
-    bool pyramid = lamp.projection.w > 0.5;
     float farthest = kEndOfBeams / -ray.direction.z;
-    bool hit = pyramid ? clipToPyramid(origin, direction, 1.0 / lamp.projection.x, kLensMetres, zFar,
-                                       ray.begin, farthest, entry, exit)
-                       : clipToCone(origin, direction, lamp.cone.z, lamp.cone.w, kLensMetres, zFar,
-                                    ray.begin, farthest, entry, exit);
-    beamEnd = hit ? max(beamEnd, exit) : beamEnd;
-    exit = min(exit, ray.end);
-    hit = hit && entry < exit;
-    vec3 first = origin + entry * direction;
-    vec3 last = origin + exit * direction;
-    float z0 = max(first.z, 0.5 * kLensMetres);
-    float z1 = max(last.z, 0.5 * kLensMetres);
-    vec2 slope0 = first.xy / z0;
-    vec2 slope1 = last.xy / z1;
-    float width = exit - entry;
-    float count = settings.planes.x;
-
+    bool hit = isPyramid(lamp)
+                   ? clipToPyramid(part.origin, part.direction, 1.0 / lamp.projection.x, kLensMetres,
+                                   zFar, ray.begin, farthest, part.entry, part.exit)
+                   : clipToCone(part.origin, part.direction, lamp.cone.z, lamp.cone.w, kLensMetres,
+                                zFar, ray.begin, farthest, part.entry, part.exit);
+    beamEnd = hit ? max(beamEnd, part.exit) : beamEnd;
+    part.exit = min(part.exit, ray.end);
+    vec3 first = part.origin + part.entry * part.direction;
+    vec3 last = part.origin + part.exit * part.direction;
+    part.z0 = max(first.z, 0.5 * kLensMetres);
+    part.z1 = max(last.z, 0.5 * kLensMetres);
+    part.stretch = LampStretch(first.xy / part.z0, last.xy / part.z1, 1.0 / part.z0, 1.0 / part.z1);
     // Half the step: sheets a little over a texel apart still see every feature.
-    float stepLevel = lightMapLevel(lamp, 0.5 * length(slope1 - slope0) / count);
-    float pixel = 2.0 * view.halfExtent.y * view.picture.w;  // its width, at unit distance or always
+    vec2 slopes = part.stretch.slope1 - part.stretch.slope0;
+    part.stepLevel = lightMapLevel(lamp, 0.5 * length(slopes) / settings.planes.x);
+    return hit && part.entry < part.exit;
+}
 
+/// Where a sheet cuts the ray.
+struct SheetPoint {
+    float t;  // metres along the ray
+    vec3 lampToPoint;
+    float lampMetres;
+    vec2 slope;  // x / z, y / z
+    float inverseDepth;
+    float weight;  // dt / r^2 in units of wholeStep's
+};
+
+/// x: place among the sheets, 0..1.
+SheetPoint sheetPoint(BeamPart part, float x) {
+    SheetPoint point;
+#ifdef EVEN_STEPS
+    point.t = mix(part.entry, part.exit, x);
+    point.lampToPoint = part.origin + point.t * part.direction;
+    point.lampToPoint.z = max(point.lampToPoint.z, 0.5 * kLensMetres);
+    point.inverseDepth = 1.0 / point.lampToPoint.z;
+    point.slope = point.lampToPoint.xy * point.inverseDepth;
+    point.lampMetres = length(point.lampToPoint);
+    point.weight = inverseSquare(point.lampMetres);
+#else
+    point.slope = mix(part.stretch.slope0, part.stretch.slope1, x);
+    point.inverseDepth = mix(part.stretch.inverse0, part.stretch.inverse1, x);
+    float depth = 1.0 / point.inverseDepth;
+    point.t = part.entry + (part.exit - part.entry) * projectiveStep(x, part.z0, part.z1);
+    point.lampToPoint = vec3(point.slope * depth, depth);
+    point.lampMetres = length(point.lampToPoint);
+    // dt / r^2 = (b - a) / (z0 z1) cos^2 dx, the first factor standing in wholeStep.
+    point.weight = 1.0 / (1.0 + dot(point.slope, point.slope));
+#endif
+    return point;
+}
+
+/// The sheets' weights stand for this.
+float wholeStep(BeamPart part) {
+#ifdef EVEN_STEPS
+    return part.exit - part.entry;
+#else
+    return ((part.exit - part.entry) / part.z0) / part.z1;
+#endif
+}
+
+/// Light that a sheet sends to the eye, for a lamp of one candela that nothing shades.
+vec3 sheetLight(SpotLamp lamp, BeamPart part, SheetPoint point) {
+    float phase = phaseFunction(PHASE_KIND, -dot(point.lampToPoint, part.direction) / point.lampMetres,
+                                view.haze.z, view.haze.w);
+    float share = scatteredShare(phase, view.haze.x, view.haze.y, point.lampMetres, point.t) *
+                  rangeWindow(point.lampMetres, lamp.candela.w) * point.weight;
+    if (!isPyramid(lamp)) {
+        float cosAngle = point.lampToPoint.z / point.lampMetres;
+        share *= coneFalloff(cosAngle, lamp.cone.x, lamp.cone.y);
+    }
+#ifdef LIGHT_MAPS
+    if (lamp.layers.y >= 0) {
+        vec2 uv = lightMapUv(point.slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);
+        float pixel = 2.0 * view.halfExtent.y * view.picture.w;  // its width, at unit distance or always
+        float metres = view.halfExtent.z > 0.5 ? 1.0 : point.t;
+        float level = max(part.stepLevel, lightMapLevel(lamp, pixel * metres * point.inverseDepth));
+        level = settings.planes.x < kSheetsForSmoothLevels ? floor(level + 0.5) : level;
+        return share * textureLod(lightMaps, vec3(uv, float(lamp.layers.y)), level).rgb;
+    }
+#endif
+    return vec3(share);
+}
+
+/// Light of one lamp that reaches the eye along the ray; beamEnd as for clipToBeam.
+// A ray that misses takes one sample: the loop's end, not a branch, so that little is computed for it
+// where both sides of a branch are run. The test stands last, since a round that only finds the end
+// costs as much as any other there.
+vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
+    BeamPart part;
+    bool hit = clipToBeam(lamp, ray, beamEnd, part);
+    float count = settings.planes.x;
     vec3 sum = vec3(0.0);
-    // A ray that misses takes one sample: the loop's end, not a branch, so that little is computed for
-    // it where both sides of a branch are run. The test stands last, since a round that only finds the
-    // end costs as much as any other there.
+#ifdef SHADOW_RUNS
+    // Sets of sheets one after another, and of each only the lit sheets.
+    float set = 0.0;
+    do {
+        uint lit = litSheets(lamp, part.stretch, set, count, hit);
+        do {
+            uint low = lit & (0u - lit);
+            lit ^= low;
+            float x = low != 0u ? (set + float(lowestBit(low)) + 0.5) / count : 0.5;
+            vec3 light = sheetLight(lamp, part, sheetPoint(part, x));
+            sum += low != 0u ? light : vec3(0.0);
+        } while (lit != 0u);
+        set += float(kSheetsASet);
+    } while (hit && set < count);
+#else
     // Steps are counted: a sum of 1 / count drifts until it takes a sample too many or too few.
     float stop = hit ? count : 0.0;
     float i = 0.5;
     do {
-        float x = i / count;
-#ifdef EVEN_STEPS
-        float t = mix(entry, exit, x);
-        vec3 lampToPoint = origin + t * direction;
-        lampToPoint.z = max(lampToPoint.z, 0.5 * kLensMetres);
-        float depth = lampToPoint.z;
-        float inverseDepth = 1.0 / depth;
-        vec2 slope = lampToPoint.xy * inverseDepth;
-        float lampMetres = length(lampToPoint);
-        float weight = inverseSquare(lampMetres);
-#else
-        vec2 slope = mix(slope0, slope1, x);
-        float inverseDepth = mix(1.0 / z0, 1.0 / z1, x);
-        float depth = 1.0 / inverseDepth;
-        float t = entry + width * projectiveStep(x, z0, z1);
-        vec3 lampToPoint = vec3(slope * depth, depth);
-        float lampMetres = length(lampToPoint);
-        // dt / r^2 = (b - a) / (z0 z1) cos^2 dx, the first factor standing below.
-        float weight = 1.0 / (1.0 + dot(slope, slope));
-#endif
-        float phase = phaseFunction(PHASE_KIND, -dot(lampToPoint, direction) / lampMetres,
-                                    view.haze.z, view.haze.w);
-        float share = scatteredShare(phase, view.haze.x, view.haze.y, lampMetres, t) *
-                      rangeWindow(lampMetres, lamp.candela.w) * weight;
-        if (!pyramid) {
-            share *= coneFalloff(depth / lampMetres, lamp.cone.x, lamp.cone.y);
-        }
+        SheetPoint point = sheetPoint(part, i / count);
+        float lit = 1.0;
         if (lamp.layers.x >= 0) {
-            vec3 at = shadowCoordinates(slope, inverseDepth, lamp.shadow.x, lamp.shadow.y);
+            vec3 at = shadowCoordinates(point.slope, point.inverseDepth, lamp.shadow.x, lamp.shadow.y);
             ivec3 texel = ivec3(ivec2(at.xy * lamp.shadow.w), lamp.layers.x);
-            share *= texelFetch(shadowMaps, texel, 0).r <= at.z ? 1.0 : 0.0;
+            lit = texelFetch(shadowMaps, texel, 0).r <= at.z ? 1.0 : 0.0;
         }
-        if (lamp.layers.y >= 0) {
-            vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);
-            float metres = view.halfExtent.z > 0.5 ? 1.0 : t;
-            float level = max(stepLevel, lightMapLevel(lamp, pixel * metres * inverseDepth));
-            level = settings.planes.x < kSheetsForSmoothLevels ? floor(level + 0.5) : level;
-            sum += share * textureLod(lightMaps, vec3(uv, float(lamp.layers.y)), level).rgb;
-        } else {
-            sum += vec3(share);
-        }
+        sum += lit * sheetLight(lamp, part, point);
         i += 1.0;
     } while (i < stop);
-#ifdef EVEN_STEPS
-    float step = width / count;
-#else
-    float step = (width / z0) / (z1 * count);
 #endif
-    return hit ? sum * lamp.candela.rgb * step : vec3(0.0);
+    return hit ? sum * lamp.candela.rgb * (wholeStep(part) / count) : vec3(0.0);
 }
 
 /// Light of a stretch of tileLamps: its first entry and their number, at least one.

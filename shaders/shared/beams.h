@@ -30,6 +30,15 @@ struct BeamSettings {
     vec4 adaptive;  // how far interpolation may be off what the screen shows, 0..1
 };
 
+// What the shadow maps' pyramid told of the runs of sheets it was asked about, and the sheets whose
+// texel was then looked at.
+struct RunCounts {
+    uint mixed;
+    uint dark;
+    uint lit;
+    uint fetches;
+};
+
 // Before a list of squares to sample: what an indirect dispatch reads, and how many there are.
 struct SampledHead {
     uint groupsX;

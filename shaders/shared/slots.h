@@ -18,6 +18,8 @@ const int kTilesSlot = 5;
 const int kTileLampsSlot = 6;
 const int kExposureSlot = 7;
 const int kSampledQuadsSlot = 3;  // only surfaces ask for cones
+const int kPyramidLayersSlot = 4;  // before the beams
+const int kRunCountsSlot = 1;      // while beams are drawn
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;
@@ -27,6 +29,8 @@ const int kBeamLatticeUnit = 4;
 const int kBeamQuadsUnit = 5;
 const int kBeamsOutputUnit = 6;
 const int kBeamFineUnit = 7;
+const int kShadowPyramidUnit = 8;
+const int kPyramidUnit = 0;  // an image, as kColorUnit, kBeamLatticeUnit ... are
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
 // Vertex attributes.
 const int kPositionAttribute = 0;

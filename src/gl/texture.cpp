@@ -15,6 +15,7 @@ std::size_t bytesPerTexel(GLenum format) {
         case GL_RGBA32F:
             return 16;
         case GL_RGBA16F:
+        case GL_RG32F:
             return 8;
         case GL_R8:
             return 1;

@@ -7,6 +7,15 @@ std::vector<std::string> beamDefines(const BeamsWork& work) {
     if (work.separateOutput) {
         defines.emplace_back("BEAMS_OUTPUT");
     }
+    if (work.lightMaps) {
+        defines.emplace_back("LIGHT_MAPS");
+    }
+    if (work.shadowPyramid) {
+        defines.emplace_back("SHADOW_RUNS");
+        if (work.countRuns) {
+            defines.emplace_back("COUNT_RUNS");
+        }
+    }
     return defines;
 }
 

@@ -10,7 +10,7 @@ namespace ribalta {
 
 struct BeamTiles {
     std::vector<gpu::BeamSquare> tiles;  ///< those with at least one lamp, row by row from below
-    std::vector<int> lamps;            ///< the tiles' lists, one after another
+    std::vector<int> lamps;              ///< the tiles' lists, one after another
 };
 
 /// `outlines[i]` is the convex outline of the beam of lamp i in pixels (see beamOutline), or empty.

@@ -194,12 +194,35 @@ void planLattice(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
     markThinBeams(outlines, width, height, work.tiles);
 }
 
+// Where there are many sheets, and of shadow maps those whose pyramid is not that of an earlier
+// frame.
+void planShadowPyramid(const FrameCache& cache, FramePlan& plan, BeamsWork& work) {
+    if (work.settings.planes < work.settings.sheetsForPyramid) {
+        return;
+    }
+    for (const int lamp : work.lamps) {
+        const int layer = plan.lamps[std::size_t(lamp)].shadowLayer;
+        if (layer < 0) {
+            continue;
+        }
+        work.shadowPyramid = true;
+        const bool redrawn =
+            std::any_of(plan.shadowMapWork.begin(), plan.shadowMapWork.end(),
+                        [&](const ShadowMapWork& map) { return map.layer == layer; });
+        if (redrawn || std::size_t(layer) >= cache.pyramidLayers.size() ||
+            !cache.pyramidLayers[std::size_t(layer)]) {
+            plan.shadowPyramidWork.push_back(layer);
+        }
+    }
+}
+
 void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& outlines,
-               FramePlan& plan) {
+               const FrameCache& cache, FramePlan& plan) {
     BeamsWork work;
     work.settings = plan.settings.beams;
     work.phase = plan.settings.haze.phase.kind;
     work.separateOutput = plan.settings.beamsOutput;
+    work.countRuns = plan.settings.countRuns;
     work.tiles = makeBeamTiles(outlines, plan.settings.width, plan.settings.height);
     if (work.tiles.tiles.empty()) {
         return;
@@ -213,6 +236,10 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
             work.lamps.push_back(int(i));
         }
     }
+    work.lightMaps = std::any_of(work.lamps.begin(), work.lamps.end(), [&](int lamp) {
+        const int spot = plan.lamps[std::size_t(lamp)].spot;
+        return scene.spotLights[std::size_t(spot)].lightMap.has_value();
+    });
     if (work.settings.method == BeamMethod::kPlanes) {
         planPlanes(scene, plan, work);
         work.tiles = {};
@@ -220,6 +247,10 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
         work.tiles = oneLampEach(work.tiles);
     } else if (work.settings.method == BeamMethod::kAdaptive) {
         planLattice(scene, plan, work);
+    }
+    if (work.settings.method == BeamMethod::kClipped ||
+        work.settings.method == BeamMethod::kAdaptive) {
+        planShadowPyramid(cache, plan, work);
     }
     plan.beams = std::move(work);
 }
@@ -249,7 +280,7 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
     planShadowMaps(scene, cache, lit, plan);
     planForward(scene, visible, plan);
     if (settings.haze.scatteringPerMetre > 0.0) {
-        planBeams(scene, outlines, plan);
+        planBeams(scene, outlines, cache, plan);
     }
     if (settings.display) {
         plan.tonemap = TonemapWork{settings.ev100};
@@ -265,9 +296,14 @@ void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cac
         int(cache.shadowLayers.size()) != plan.shadowMaps.layers) {
         cache.shadowSide = plan.shadowMaps.side;
         cache.shadowLayers.assign(std::size_t(plan.shadowMaps.layers), std::nullopt);
+        cache.pyramidLayers.assign(cache.shadowLayers.size(), false);
     }
     for (const ShadowMapWork& work : plan.shadowMapWork) {
         cache.shadowLayers[std::size_t(work.layer)] = keyOf(scene, plan, work);
+        cache.pyramidLayers[std::size_t(work.layer)] = false;
+    }
+    for (const int layer : plan.shadowPyramidWork) {
+        cache.pyramidLayers[std::size_t(layer)] = true;
     }
 }
 
@@ -275,6 +311,7 @@ void FramePlan::keepPicture() {
     kept = true;
     shadowMapsKept += int(shadowMapWork.size());
     shadowMapWork.clear();
+    shadowPyramidWork.clear();
 }
 
 std::string FramePlan::describe() const {
@@ -285,6 +322,9 @@ std::string FramePlan::describe() const {
     const auto add = [&](const std::string& pass) { line += (line.empty() ? "" : " ") + pass; };
     if (!shadowMapWork.empty()) {
         add("shadow_map[" + std::to_string(shadowMapWork.size()) + "]");
+    }
+    if (!shadowPyramidWork.empty()) {
+        add("shadow_pyramid[" + std::to_string(shadowPyramidWork.size()) + "]");
     }
     if (forward) {
         add("forward");
@@ -297,6 +337,14 @@ std::string FramePlan::describe() const {
         add(tonemap->ev100 ? "tonemap" : "exposure tonemap");
     }
     return line.empty() ? "nothing" : line;
+}
+
+std::vector<int> FramePlan::spotsDrawn() const {
+    std::vector<int> spots;
+    for (const PlannedLamp& lamp : lamps) {
+        spots.push_back(lamp.spot);
+    }
+    return spots;
 }
 
 int FramePlan::beamTilesTotal() const {

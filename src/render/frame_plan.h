@@ -30,6 +30,7 @@ struct ShadowKey {
 struct FrameCache {
     int shadowSide = 0;                                  ///< texels of the maps that are there
     std::vector<std::optional<ShadowKey>> shadowLayers;  ///< by layer
+    std::vector<bool> pyramidLayers;                     ///< by layer: its pyramid is of this map
 };
 
 /// One lamp's shadow map to draw.
@@ -67,7 +68,10 @@ struct BeamsWork {
     double firstDepth = 0.0;      ///< planes only: metres along the view axis
     double spacingMetres = 0.0;   ///< planes only
     double fullScale = 0.0;       ///< planes in eight bits only: cd/m2 of the highest code value
+    bool shadowPyramid = false;   ///< runs of sheets are judged by it
+    bool lightMaps = false;       ///< some lamp has one
     bool separateOutput = false;
+    bool countRuns = false;
 };
 
 struct TonemapWork {
@@ -92,6 +96,7 @@ struct FramePlan {
     bool kept = false;       ///< the picture of the frame before: none of the passes below is run
 
     std::vector<ShadowMapWork> shadowMapWork;  ///< empty: no lamp with casters, or all kept
+    std::vector<int> shadowPyramidWork;        ///< layers; empty: not used, or all kept
     std::optional<ForwardWork> forward;        ///< absent: nothing to see
     std::optional<BeamsWork> beams;            ///< absent: clear air, or no beam in view
     std::optional<TonemapWork> tonemap;        ///< absent: no picture for a screen is asked for
@@ -105,6 +110,8 @@ struct FramePlan {
     /// Squares of the picture that beams are drawn in, and all there are.
     int beamTilesDrawn() const;
     int beamTilesTotal() const;
+    /// The spots of `lamps`, into Scene::spotLights.
+    std::vector<int> spotsDrawn() const;
 };
 
 /// `lit`: where light maps let light through, where that is known.

@@ -8,6 +8,13 @@
 
 namespace ribalta {
 
+/// Sheets a beam from which on `clipped` and `adaptive` make and use the shadow maps' pyramid. User
+/// time of a 1280x720 frame on two cores with llvmpipe, against that without: `adaptive` from the
+/// stage's front, from its side and inside a single beam, 24 sheets: 15, 15 and 6 % less; 10
+/// sheets: the same, 10 % less, 5 % more. `clipped`, 64 sheets, front, single beam, arena: 28, 16,
+/// 24 % less.
+constexpr int kSheetsForPyramid = 24;
+
 /// How the light in the haze is summed.
 struct BeamSettings {
     BeamMethod method = BeamMethod::kAdaptive;
@@ -26,6 +33,9 @@ struct BeamSettings {
     /// cards of 2007 had to. Needs FrameSettings::ev100.
     bool eightBitBlending = false;
 
+    /// `clipped` and `adaptive` only; the picture is the same without it.
+    int sheetsForPyramid = kSheetsForPyramid;
+
     bool operator==(const BeamSettings&) const = default;
 };
 
@@ -39,6 +49,7 @@ struct FrameSettings {
     bool display = true;          ///< make the exposed, tone-mapped 8-bit picture
     bool beamsOutput = false;     ///< keep the beams apart as well
     bool normalOutput = false;    ///< keep the surfaces' normals
+    bool countRuns = false;       ///< count what the shadow maps' pyramid saves, slowly
 
     bool operator==(const FrameSettings&) const = default;
 };

@@ -157,7 +157,6 @@ GLuint makeSampler(const Sampler& sampler) {
 GpuScene::GpuScene(const Scene& scene) {
     uploadGeometry(scene);
     uploadMaterials(scene);
-    uploadLightMaps(scene);
 }
 
 void GpuScene::uploadGeometry(const Scene& scene) {
@@ -226,17 +225,23 @@ void GpuScene::bindMaterial(const Scene& scene, const DrawItem& item) const {
     }
 }
 
-void GpuScene::uploadLightMaps(const Scene& scene) {
-    std::vector<const Image*> pictures;
-    for (const SpotLight& lamp : scene.spotLights) {
-        if (lamp.lightMap && !lightMapLayers_.contains(lamp.lightMap->image)) {
-            lightMapLayers_.emplace(lamp.lightMap->image, int(pictures.size()));
-            pictures.push_back(&scene.images[std::size_t(lamp.lightMap->image)]);
+void GpuScene::useLightMaps(const Scene& scene, const std::vector<int>& spots) {
+    const std::size_t before = lightMapLayers_.size();
+    for (const int spot : spots) {
+        const SpotLight& lamp = scene.spotLights[std::size_t(spot)];
+        if (lamp.lightMap) {
+            lightMapLayers_.emplace(lamp.lightMap->image, int(lightMapLayers_.size()));
         }
     }
-    if (!pictures.empty()) {
-        lightMaps_ = uploadSquareLayers("light maps", pictures);
+    if (lightMapLayers_.size() == before) {
+        return;
     }
+    // Layers have one size and number, so that a new one needs them all anew.
+    std::vector<const Image*> pictures(lightMapLayers_.size());
+    for (const auto& [image, layer] : lightMapLayers_) {
+        pictures[std::size_t(layer)] = &scene.images[std::size_t(image)];
+    }
+    lightMaps_ = uploadSquareLayers("light maps", pictures);
 }
 
 int GpuScene::lightMapLayer(const SpotLight& lamp) const {

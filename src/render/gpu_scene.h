@@ -22,7 +22,8 @@ inline void deleteSampler(GLuint name) {
 
 class GpuScene {
   public:
-    /// Uploads what the scene draws. Needs a current context. The scene is not kept.
+    /// Uploads what the scene draws, but for light maps. Needs a current context. The scene is not
+    /// kept.
     explicit GpuScene(const Scene& scene);
 
     /// Where a primitive's geometry lies in the shared buffers.
@@ -44,9 +45,11 @@ class GpuScene {
     /// Binds an item's material to its slot and the material's pictures to their units.
     void bindMaterial(const Scene& scene, const DrawItem& item) const;
 
-    /// All light maps, one a layer; none where no lamp has one.
+    /// Uploads those light maps of these spots, by index in the scene, that are not there yet.
+    void useLightMaps(const Scene& scene, const std::vector<int>& spots);
+    /// The light maps in use, one a layer; none where no lamp in use has one.
     const Texture2D& lightMaps() const { return lightMaps_; }
-    /// Layer of a lamp's light map, -1 without one.
+    /// Layer of the light map of a lamp in use, -1 without one.
     int lightMapLayer(const SpotLight& lamp) const;
 
   private:
@@ -55,7 +58,6 @@ class GpuScene {
     }
     void uploadGeometry(const Scene& scene);
     void uploadMaterials(const Scene& scene);
-    void uploadLightMaps(const Scene& scene);
     void useTexture(const Scene& scene, const TextureSlot& slot, bool colors);
 
     std::vector<std::vector<Geometry>> geometry_;  ///< by mesh and primitive

@@ -47,12 +47,18 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         targets_.emplace(settings);
     }
     timer_.begin("upload");
+    gpuScene_.useLightMaps(scene_, plan_.spotsDrawn());
     gpuFrame_.upload(scene_, plan_, gpuScene_);
 
     if (!plan_.shadowMapWork.empty()) {
         timer_.begin("shadow_map");
         const DebugGroup group("shadow_map");
         madeOnFirstUse(shadowMapPass_).draw(plan_.shadowMapWork, scene_, plan_, gpuScene_);
+    }
+    if (!plan_.shadowPyramidWork.empty()) {
+        timer_.begin("shadow_pyramid");
+        const DebugGroup group("shadow_pyramid");
+        madeOnFirstUse(shadowPyramidPass_).draw(plan_.shadowPyramidWork, shadowMaps());
     }
     timer_.begin("forward");
     clear(*targets_);
@@ -82,15 +88,32 @@ void Renderer::drawBeams(const BeamsWork& work) {
     if (work.settings.method == BeamMethod::kPlanes) {
         madeOnFirstUse(planeBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
     } else if (work.settings.method == BeamMethod::kAdaptive) {
-        madeOnFirstUse(adaptiveBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
+        madeOnFirstUse(adaptiveBeams_).draw(work, gpuScene_, shadows(), *targets_);
     } else {
-        madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadowMaps(), *targets_);
+        madeOnFirstUse(clippedBeams_).draw(work, gpuScene_, shadows(), *targets_);
     }
 }
 
 const Texture2D& Renderer::shadowMaps() const {
     static const Texture2D none;
     return shadowMapPass_ ? shadowMapPass_->maps() : none;
+}
+
+ShadowTextures Renderer::shadows() const {
+    return {&shadowMaps(), &shadowPyramid()};
+}
+
+const Texture2D& Renderer::shadowPyramid() const {
+    static const Texture2D none;
+    return shadowPyramidPass_ ? shadowPyramidPass_->pyramid() : none;
+}
+
+std::optional<gpu::RunCounts> Renderer::runCounts() const {
+    if (!plan_.beams || !plan_.beams->shadowPyramid || !plan_.beams->countRuns) {
+        return std::nullopt;
+    }
+    return plan_.beams->settings.method == BeamMethod::kAdaptive ? adaptiveBeams_->runCounts()
+                                                                 : clippedBeams_->runCounts();
 }
 
 std::optional<double> Renderer::ev100() const {

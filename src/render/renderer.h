@@ -17,6 +17,7 @@
 #include "render/passes/beams_planes.h"
 #include "render/passes/forward.h"
 #include "render/passes/shadow_map.h"
+#include "render/passes/shadow_pyramid.h"
 #include "render/passes/tonemap.h"
 
 namespace ribalta {
@@ -47,10 +48,17 @@ class Renderer {
         drawn_.reset();
     }
 
+    /// What the shadow maps' pyramid told in the last frame; none where it was not used, or
+    /// FrameSettings::countRuns not set.
+    std::optional<gpu::RunCounts> runCounts() const;
+
     /// The layers that the last plan's lamps name; empty where no lamp has casters.
     const Texture2D& shadowMaps() const;
+    /// Their pyramid; empty until a frame has used one.
+    const Texture2D& shadowPyramid() const;
 
   private:
+    ShadowTextures shadows() const;
     void drawBeams(const BeamsWork& work);
 
     const Scene& scene_;
@@ -63,6 +71,7 @@ class Renderer {
     PassTimer timer_;
     std::optional<FrameTargets> targets_;
     std::optional<ShadowMapPass> shadowMapPass_;
+    std::optional<ShadowPyramidPass> shadowPyramidPass_;
     std::optional<ForwardPass> forward_;
     std::optional<AdaptiveBeamsPass> adaptiveBeams_;
     std::optional<ClippedBeamsPass> clippedBeams_;

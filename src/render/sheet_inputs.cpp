@@ -19,8 +19,8 @@ SheetInputs::SheetInputs() {
     glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void SheetInputs::bind(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
-                       const FrameTargets& targets) {
+void SheetInputs::bind(const BeamsWork& work, const GpuScene& gpuScene,
+                       const ShadowTextures& shadows, const FrameTargets& targets) {
     const std::vector<gpu::BeamSettings> settings = {describeBeams(work)};
     settings_.write("beam settings", bytesOf(settings));
     tiles_.write("beam tiles", bytesOf(work.tiles.tiles));
@@ -29,14 +29,29 @@ void SheetInputs::bind(const BeamsWork& work, const GpuScene& gpuScene, const Te
     glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kBeamSettingsSlot, settings_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTilesSlot, tiles_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kTileLampsSlot, tileLamps_.name());
-    glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
+    glBindTextureUnit(gpu::kShadowMapsUnit, shadows.maps->name());
     glBindSampler(gpu::kShadowMapsUnit, depthSampler_.name());
+    if (work.shadowPyramid) {
+        glBindTextureUnit(gpu::kShadowPyramidUnit, shadows.pyramid->name());
+        if (work.countRuns) {
+            const gpu::RunCounts none{};
+            runCounts_.write("counts of runs", std::as_bytes(std::span(&none, 1)));
+            glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kRunCountsSlot, runCounts_.name());
+        }
+    }
     glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
     glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
 }
 
 void SheetInputs::unbind() {
     glBindSampler(gpu::kShadowMapsUnit, 0);
+}
+
+gpu::RunCounts SheetInputs::runCounts() const {
+    gpu::RunCounts counts{};
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    runCounts_.read(std::as_writable_bytes(std::span(&counts, 1)));
+    return counts;
 }
 
 void SheetInputs::drawTiles(const Program& program, Blend blend) const {

@@ -2,6 +2,8 @@
 // maps, depths.
 #pragma once
 
+#include <shared/beams.h>
+
 #include "gl/buffer.h"
 #include "gl/pipeline_state.h"
 #include "gl/program.h"
@@ -12,14 +14,22 @@
 
 namespace ribalta {
 
+/// The shadow maps, and their pyramid where BeamsWork::shadowPyramid says so.
+struct ShadowTextures {
+    const Texture2D* maps = nullptr;
+    const Texture2D* pyramid = nullptr;
+};
+
 class SheetInputs {
   public:
     SheetInputs();
 
     /// Uploads what `work` says and binds everything. unbind() after the draws.
-    void bind(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
+    void bind(const BeamsWork& work, const GpuScene& gpuScene, const ShadowTextures& shadows,
               const FrameTargets& targets);
     void unbind();
+    /// What the draws between counted, where BeamsWork::countRuns; waits for the GPU.
+    gpu::RunCounts runCounts() const;
 
     /// Draws a square for each of the work's tiles.
     void drawTiles(const Program& program, Blend blend) const;
@@ -30,6 +40,7 @@ class SheetInputs {
     Buffer settings_;
     Buffer tiles_;
     Buffer tileLamps_;
+    Buffer runCounts_;
     int tileCount_ = 0;
 };
 

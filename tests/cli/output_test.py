@@ -117,7 +117,11 @@ class Statistics(CommandTest):
         self.expect_done("render", SCENES / "stage.glb", "--size", "64x36", "--repeat", "3",
                          "--stats", "a.json")
         stats = json.loads((self.folder / "a.json").read_text())
-        self.assertEqual(stats["plan"], "shadow_map[12] forward beams[12] exposure tonemap")
+        self.assertEqual(stats["plan"], "shadow_map[12] shadow_pyramid[12] forward beams[12] "
+                                        "exposure tonemap")
+        self.assertGreater(stats["counters"]["runs_lit"], 0)
+        self.assertGreater(stats["counters"]["runs_mixed"], 0)
+        self.assertLess(stats["counters"]["shadow_fetches"], stats["counters"]["samples"])
         self.assertGreater(len(stats["renderer"]), 0)
         self.assertGreater(stats["frame_ms"], 0)
         self.assertEqual(stats["repeats"], 3)

@@ -180,6 +180,28 @@ TEST_F(Skipping, DrawCallsAreWhatThePlanSays) {
     }
 }
 
+// Only the light maps of lamps that are drawn take memory, and only with one are they asked for.
+TEST_F(Skipping, NoLightMapOfALampThatIsNotDrawn) {
+    Scene plain = scene_;
+    useLightMap(scene_, scene_.spotLights[0],
+                makeImage(8, 8, [](int, int) { return glm::vec4(1.0F); }));
+    settings_.haze.scatteringPerMetre = 0.05;
+    const auto texturesOf = [&](const Scene& scene) {
+        const GlCounters before = glCounters();
+        Renderer renderer(scene);
+        renderer.draw(camera_, settings_);
+        EXPECT_EQ(renderer.lastPlan().lamps.size(), 1U);
+        return glCounters().texturesMade - before.texturesMade;
+    };
+    const int lit = texturesOf(scene_);
+    SpotLight dark = scene_.spotLights[0];
+    dark.intensityCandela = 0.0;
+    scene_.spotLights[0].lightMap.reset();
+    scene_.spotLights.push_back(dark);
+    EXPECT_EQ(texturesOf(scene_), texturesOf(plain));
+    EXPECT_EQ(texturesOf(scene_) + 1, lit);
+}
+
 TEST_F(Skipping, TheSecondFrameMakesNothingNew) {
     useLightMap(scene_, scene_.spotLights[0],
                 makeImage(8, 8, [](int, int) { return glm::vec4(1.0F); }));

@@ -181,6 +181,14 @@ void render(const RenderOptions& options) {
     stats.load.push_back({"upload", uploadMs});
     stats.peakBytes = peakMemory();
 
+    if (!options.stats.empty() && renderer.lastPlan().beams &&
+        renderer.lastPlan().beams->shadowPyramid) {
+        // In a frame of its own, of the same picture: counting takes time.
+        settings.countRuns = true;
+        renderer.draw(camera, settings);
+        stats.runs = renderer.runCounts().value_or(gpu::RunCounts{});
+    }
+
     tellOfFrames(options.scene, stats);
     progress.emplace("writing");
     writeOutputs(outputs, renderer.lastPlan(), renderer.targets());

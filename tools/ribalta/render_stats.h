@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <shared/beams.h>
+
 #include "gl/timer.h"
 #include "gltf/load_gltf.h"
 #include "render/frame_plan.h"
@@ -41,6 +43,7 @@ struct RenderStats {
     int shadowMapsKept = 0;       ///< over all frames
     std::uint64_t drawCalls = 0;  ///< over all frames
     std::uint64_t samples = 0;    ///< of the last frame
+    gpu::RunCounts runs{};        ///< of a frame like the last
     std::uint64_t programsBuilt = 0;
     std::uint64_t texturesMade = 0;
     std::uint64_t peakBytes = 0;

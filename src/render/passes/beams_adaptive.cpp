@@ -48,7 +48,7 @@ AdaptiveBeamsPass::AdaptiveBeamsPass()
       exposure_({"BEAM_LATTICE"}) {}
 
 AdaptiveBeamsPass::Programs& AdaptiveBeamsPass::programsFor(const BeamsWork& work) {
-    Programs& programs = programs_[{work.phase, work.separateOutput}];
+    Programs& programs = programs_[beamDefines(work)];
     if (!programs.fill) {
         const std::vector<std::string> defines = beamDefines(work);
         programs.lattice = Program({"passes/beams_lattice.comp"}, defines);
@@ -130,10 +130,10 @@ void AdaptiveBeamsPass::fillPicture(const BeamsWork& work, const Programs& progr
 }
 
 void AdaptiveBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
-                             const Texture2D& shadowMaps, const FrameTargets& targets) {
+                             const ShadowTextures& shadows, const FrameTargets& targets) {
     const Programs& programs = programsFor(work);
     makeMaps(work, targets);
-    inputs_.bind(work, gpuScene, shadowMaps, targets);
+    inputs_.bind(work, gpuScene, shadows, targets);
     drawLattice(work, programs.lattice);
 
     glBindTextureUnit(gpu::kBeamLatticeUnit, latticeMap_.name());

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "gl/buffer.h"
 #include "gl/program.h"
@@ -19,8 +21,10 @@ namespace ribalta {
 class AdaptiveBeamsPass {
   public:
     AdaptiveBeamsPass();
-    void draw(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
+    void draw(const BeamsWork& work, const GpuScene& gpuScene, const ShadowTextures& shadows,
               const FrameTargets& targets);
+    /// Of the last draw, which was told to count them.
+    gpu::RunCounts runCounts() const { return inputs_.runCounts(); }
 
   private:
     struct Programs {
@@ -38,8 +42,8 @@ class AdaptiveBeamsPass {
     void fillPicture(const BeamsWork& work, const Programs& programs,
                      const FrameTargets& targets) const;
 
-    /// By phase function and separate output.
-    std::map<std::pair<PhaseFunction::Kind, bool>, Programs> programs_;
+    /// By defines.
+    std::map<std::vector<std::string>, Programs> programs_;
     Program cells_;
     Program quads_;
     ExposureMeter exposure_;  ///< what the screen will show is not known before the beams are drawn

@@ -5,8 +5,8 @@
 namespace ribalta {
 
 void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
-                            const Texture2D& shadowMaps, const FrameTargets& targets) {
-    Program& program = programs_[{work.phase, work.separateOutput, work.settings.method}];
+                            const ShadowTextures& shadows, const FrameTargets& targets) {
+    Program& program = programs_[{work.settings.method, beamDefines(work)}];
     if (!program) {
         std::vector<std::string> defines = beamDefines(work);
         if (work.settings.method == BeamMethod::kMarch) {
@@ -14,7 +14,7 @@ void ClippedBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
         }
         program = Program({"passes/beams_tiles.vert", "passes/beams_clipped.frag"}, defines);
     }
-    inputs_.bind(work, gpuScene, shadowMaps, targets);
+    inputs_.bind(work, gpuScene, shadows, targets);
     targets.haze.bind();
     inputs_.drawTiles(program, Blend::kAdd);
     inputs_.unbind();

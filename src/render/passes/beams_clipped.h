@@ -2,7 +2,9 @@
 #pragma once
 
 #include <map>
-#include <tuple>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -15,12 +17,14 @@ namespace ribalta {
 
 class ClippedBeamsPass {
   public:
-    void draw(const BeamsWork& work, const GpuScene& gpuScene, const Texture2D& shadowMaps,
+    void draw(const BeamsWork& work, const GpuScene& gpuScene, const ShadowTextures& shadows,
               const FrameTargets& targets);
+    /// Of the last draw, which was told to count them.
+    gpu::RunCounts runCounts() const { return inputs_.runCounts(); }
 
   private:
-    /// By phase function, separate output and method.
-    std::map<std::tuple<PhaseFunction::Kind, bool, BeamMethod>, Program> programs_;
+    /// By method and defines.
+    std::map<std::pair<BeamMethod, std::vector<std::string>>, Program> programs_;
     SheetInputs inputs_;
 };
 

@@ -26,15 +26,15 @@ void PlaneBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
                           const Texture2D& shadowMaps, const FrameTargets& targets) {
     const bool cells = work.settings.cellsAcross > 0;
     const bool eightBit = work.settings.eightBitBlending;
-    Program& program = programs_[{work.phase, work.separateOutput, cells, eightBit}];
+    std::vector<std::string> defines = beamDefines(work);
+    if (cells) {
+        defines.emplace_back("CELLS");
+    }
+    if (eightBit) {
+        defines.emplace_back("EIGHT_BIT");
+    }
+    Program& program = programs_[defines];
     if (!program) {
-        std::vector<std::string> defines = beamDefines(work);
-        if (cells) {
-            defines.emplace_back("CELLS");
-        }
-        if (eightBit) {
-            defines.emplace_back("EIGHT_BIT");
-        }
         program = Program({"passes/beams_planes.vert", "passes/beams_planes.frag"}, defines);
     }
     const std::vector<gpu::BeamSettings> settings = {describeBeams(work)};

@@ -26,9 +26,8 @@ class PlaneBeamsPass {
     /// Adds the eight-bit sum to the picture.
     void addEightBits(const BeamsWork& work, const FrameTargets& targets);
 
-    /// By phase function, separate output, whether the smooth factor is evaluated on cells, and
-    /// whether light is added up in eight bits.
-    std::map<std::tuple<PhaseFunction::Kind, bool, bool, bool>, Program> programs_;
+    /// By defines.
+    std::map<std::vector<std::string>, Program> programs_;
     std::map<bool, Program> addPrograms_;  ///< by separate output; only for eight bits
     Texture2D codes_;                      ///< RGBA8; only for eight bits
     Framebuffer codesWithDepth_;

@@ -20,6 +20,7 @@ struct SmallStage {
         settings.width = 64;
         settings.height = 48;
         settings.ev100 = 5.0;
+        settings.beams.planes = 8;
         if (withFloor) {
             floor = addShape(scene, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}),
                              makeMaterial(glm::vec3(0.5F)));

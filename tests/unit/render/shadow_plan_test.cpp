@@ -22,6 +22,7 @@ class ShadowPlan : public testing::Test {
         settings_.width = 64;
         settings_.height = 48;
         settings_.ev100 = 5.0;
+        settings_.beams.planes = kSheetsForPyramid - 1;
     }
 
     FramePlan next() {
@@ -53,6 +54,39 @@ class ShadowPlan : public testing::Test {
     FrameCache cache_;
     std::vector<int> towers_;
 };
+
+TEST_F(ShadowPlan, APyramidIsMadeForManySheetsAndOfWhatItHasNotYet) {
+    EXPECT_EQ(next().describe(), "shadow_map[2] forward beams[2] tonemap") << "too few sheets";
+    settings_.beams.planes = kSheetsForPyramid;
+    FramePlan plan = next();
+    EXPECT_EQ(plan.describe(), "shadow_pyramid[2] forward beams[2] tonemap") << "of kept maps";
+    EXPECT_TRUE(plan.beams->shadowPyramid);
+    plan = next();
+    EXPECT_EQ(plan.describe(), "forward beams[2] tonemap");
+    EXPECT_TRUE(plan.beams->shadowPyramid);
+    moveNode(scene_, towers_[0], {0.1, 0, 0});
+    plan = next();
+    EXPECT_EQ(plan.describe(), "shadow_map[1] shadow_pyramid[1] forward beams[2] tonemap");
+    EXPECT_EQ(plan.shadowPyramidWork.front(), plan.shadowMapWork.front().layer);
+    // A map that is drawn while the pyramid is not used leaves the pyramid behind.
+    settings_.beams.planes = kSheetsForPyramid - 1;
+    moveNode(scene_, towers_[0], {0.1, 0, 0});
+    EXPECT_EQ(next().describe(), "shadow_map[1] forward beams[2] tonemap");
+    settings_.beams.planes = kSheetsForPyramid;
+    EXPECT_EQ(next().describe(), "shadow_pyramid[1] forward beams[2] tonemap");
+    // The baselines never have one, nor have lamps without casters.
+    for (const auto method : {BeamMethod::kMarch, BeamMethod::kPlanes}) {
+        settings_.beams.method = method;
+        cache_ = {};
+        EXPECT_TRUE(next().shadowPyramidWork.empty());
+    }
+    settings_.beams.method = BeamMethod::kClipped;
+    cache_ = {};
+    scene_.nodes.clear();
+    plan = next();
+    EXPECT_EQ(plan.describe(), "beams[2] tonemap");
+    EXPECT_FALSE(plan.beams->shadowPyramid);
+}
 
 TEST_F(ShadowPlan, TheSecondFrameKeepsAll) {
     EXPECT_EQ(next().describe(), "shadow_map[2] forward beams[2] tonemap");
