@@ -22,6 +22,7 @@ using glm::clamp;
 using glm::cross;
 using glm::dot;
 using glm::exp;
+using glm::exp2;
 using glm::log2;
 using glm::max;
 using glm::min;
@@ -34,7 +35,7 @@ using vec3 = glm::dvec3;
 // NOLINTBEGIN: GLSL's spelling
 #define float double
 #define OUT(T) T&
-// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it.
+// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it, air_shell.glsl air.glsl.
 // clang-format off
 #include "lib/phase_function.glsl"
 #include "lib/spot_light.glsl"
@@ -45,6 +46,9 @@ using vec3 = glm::dvec3;
 #include "lib/shadow_projection.glsl"
 #include "lib/tonemap.glsl"
 #include "lib/auto_exposure.glsl"
+#include "lib/air.glsl"
+#include "lib/air_shell.glsl"
+#include "lib/chapman.glsl"
 // clang-format on
 #undef OUT
 #undef float

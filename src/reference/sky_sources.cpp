@@ -1,0 +1,264 @@
+// Orders of scattering, one after the other, on a grid of heights and suns.
+#include "reference/sky_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/check.h"
+#include "base/parallel_for.h"
+#include "reference/cubic_weights.h"
+#include "reference/phase_projection.h"
+#include "reference/sky_air.h"
+
+namespace ribalta {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kHeights = 28;
+constexpr int kSuns = 72;
+constexpr int kZenithAngles = 37;
+constexpr int kAzimuths = 19;
+constexpr std::size_t kDirectionSize = std::size_t(kZenithAngles) * kAzimuths * 6;
+// Sunlight once scattered peaks around the sun; later orders do not.
+constexpr DirectionCounts kFirstDirections{28, 20, 33};
+constexpr DirectionCounts kLaterDirections{20, 14, 17};
+
+const GaussRule& alongFirst() {
+    static const GaussRule rule = gaussRule(24);
+    return rule;
+}
+const GaussRule& alongLater() {
+    static const GaussRule rule = gaussRule(16);
+    return rule;
+}
+
+/// The cosines of the sun over a path: lowest and highest.
+glm::dvec2 sunsOver(const shader::Air& air, const AirPath& path) {
+    constexpr int kSteps = 32;
+    glm::dvec2 range(path.muS, path.muS);
+    for (int i = 1; i <= kSteps; ++i) {
+        const double t = path.length * i / kSteps;
+        const double height = shader::heightAlong(air, path.height, path.mu, t);
+        const double muS = shader::sunCosineAlong(air, path.height, path.muS, path.nu, t, height);
+        range = glm::dvec2(std::min(range.x, muS), std::max(range.y, muS));
+    }
+    return range;
+}
+
+/// The angle that the longest way through the air goes around the planet.
+double longestAngle(const Atmosphere& air) {
+    return 2.0 * std::acos(air.groundRadiusMetres / (air.groundRadiusMetres + air.topMetres));
+}
+
+}  // namespace
+
+SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
+                       std::span<const AirPath> paths)
+    : table_(&table), groundLightsAir_(groundLightsAir) {
+    CHECK(orders >= 2);
+    const Atmosphere& air = table.atmosphere();
+    for (int i = 0; i < kHeights; ++i) {
+        const double part = double(i) / (kHeights - 1);
+        heights_.push_back(air.topMetres * part * part);
+    }
+    // Dusk is over within a few sqrt(H / R) around the horizon; darkness once no two ways through
+    // the air get around the planet any more.
+    sunScale_ =
+        std::clamp(std::sqrt(air.rayleighScaleHeightMetres / air.groundRadiusMetres), 0.01, 1.0);
+    const double darkest = 2.0 * longestAngle(air);
+    firstSun_ = std::asinh((darkest < 0.5 * kPi ? -std::sin(darkest) : -1.0) / sunScale_);
+    lastSun_ = std::asinh(1.0 / sunScale_);
+    for (int i = 0; i < kSuns; ++i) {
+        const double y = firstSun_ + (lastSun_ - firstSun_) * i / (kSuns - 1);
+        suns_.push_back(std::clamp(sunScale_ * std::sinh(y), -1.0, 1.0));
+    }
+    wantSuns(paths, orders);
+    for (int order = 2; order <= orders; ++order) {
+        makeOrder(order);
+    }
+}
+
+double SkySources::sunPlace(double muS) const {
+    return (std::asinh(muS / sunScale_) - firstSun_) / (lastSun_ - firstSun_) * (kSuns - 1);
+}
+
+void SkySources::wantSuns(std::span<const AirPath> paths, int orders) {
+    const shader::Air air = airOf(table_->atmosphere());
+    wanted_.assign(std::size_t(orders - 1), std::vector<bool>(kSuns, false));
+    for (const AirPath& path : paths) {
+        const glm::dvec2 range = sunsOver(air, path);
+        // What cubics take, and one more for what lies between the steps.
+        const int first = cubicWeights(sunPlace(range.x) - 1.0, kSuns).first;
+        const int last = cubicWeights(sunPlace(range.y) + 1.0, kSuns).first + 3;
+        for (int i = first; i <= last; ++i) {
+            wanted_.back()[std::size_t(i)] = true;
+        }
+    }
+    const double reach = longestAngle(table_->atmosphere());
+    for (int order = orders - 1; order >= 2; --order) {
+        for (int i = 0; i < kSuns; ++i) {
+            if (!wanted_[std::size_t(order - 1)][std::size_t(i)]) {
+                continue;
+            }
+            const double angle = std::acos(suns_[std::size_t(i)]);
+            const double low = std::cos(std::min(angle + reach, kPi));
+            const double high = std::cos(std::max(angle - reach, 0.0));
+            const int first = cubicWeights(sunPlace(low) - 1.0, kSuns).first;
+            const int last = cubicWeights(sunPlace(high) + 1.0, kSuns).first + 3;
+            for (int k = first; k <= last; ++k) {
+                wanted_[std::size_t(order - 2)][std::size_t(k)] = true;
+            }
+        }
+    }
+}
+
+void SkySources::makeOrder(int order) {
+    const Atmosphere& air = table_->atmosphere();
+    const std::vector<bool>& wanted = wanted_[std::size_t(order - 2)];
+    std::vector<int> suns;
+    for (int i = 0; i < kSuns; ++i) {
+        if (wanted[std::size_t(i)]) {
+            suns.push_back(i);
+        }
+    }
+    Grid grid(std::size_t(kHeights) * kSuns * kDirectionSize);
+    std::vector<glm::dvec3> irradiances(kSuns, glm::dvec3(0.0));
+    for (int h = 0; h < kHeights; ++h) {
+        const double height = heights_[std::size_t(h)];
+        const SkyDirections directions =
+            directionsAt(air, height, order == 2 ? kFirstDirections : kLaterDirections);
+        const PhaseProjection projection(directions, air.mieG, kZenithAngles, kAzimuths);
+        parallelFor(suns.size(), [&](std::size_t k) {
+            const auto s = std::size_t(suns[k]);
+            std::vector<glm::dvec3> light = field(order - 1, height, suns_[s], directions);
+            if (h == 0) {
+                irradiances[s] = irradianceOf(directions, light);
+            }
+            if (groundLightsAir_) {
+                addGround(order - 1, height, suns_[s], directions, light);
+            }
+            projection.apply(
+                light, {&grid[(std::size_t(h) * kSuns + s) * kDirectionSize], kDirectionSize});
+        });
+        if (h == 0) {
+            irradiances_.push_back(irradiances);
+        }
+    }
+    grids_.push_back(std::move(grid));
+}
+
+std::vector<glm::dvec3> SkySources::field(int order, double height, double muS,
+                                          const SkyDirections& directions) const {
+    if (order == 1) {
+        return firstOrderField(*table_, height, muS, directions, alongFirst());
+    }
+    const Atmosphere& atmosphere = table_->atmosphere();
+    const shader::Air air = airOf(atmosphere);
+    std::vector<glm::dvec3> light;
+    light.reserve(directions.count());
+    for (const double mu : directions.mu) {
+        std::vector<PathNode> nodes;
+        for (const double cosAzimuth : directions.cosAzimuths) {
+            const AirPath path = airPathTowards(atmosphere, height, mu, muS, cosAzimuth);
+            if (nodes.empty()) {
+                const double turn =
+                    std::min(shader::distanceToLowest(air, height, mu), path.length);
+                addNodes(*table_, path, {0.0, turn, false, true}, alongLater(), nodes);
+                addNodes(*table_, path, {turn, path.length, true, true}, alongLater(), nodes);
+            }
+            light.push_back(march(grids_[std::size_t(order - 2)], path, nodes));
+        }
+    }
+    return light;
+}
+
+// Light that has been on its way `order` times, the last of them from the ground up.
+void SkySources::addGround(int order, double height, double muS, const SkyDirections& directions,
+                           std::vector<glm::dvec3>& field) const {
+    const Atmosphere& atmosphere = table_->atmosphere();
+    const std::size_t turns = directions.cosAzimuths.size();
+    for (std::size_t i = 0; i < directions.mu.size(); ++i) {
+        for (std::size_t j = 0; j < turns; ++j) {
+            const AirPath path = airPathTowards(atmosphere, height, directions.mu[i], muS,
+                                                directions.cosAzimuths[j]);
+            if (path.endsOnGround) {
+                field[i * turns + j] += groundLight(*table_, path, [&](double muSThere) {
+                    return order == 1 ? sunIrradiance(*table_, muSThere)
+                                      : irradiance(order - 1, muSThere);
+                });
+            }
+        }
+    }
+}
+
+glm::dvec3 SkySources::irradiance(int order, double muS) const {
+    const std::vector<glm::dvec3>& values = irradiances_.at(std::size_t(order - 1));
+    const CubicWeights suns = cubicWeights(sunPlace(muS), kSuns);
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        sum += suns.weights[i] * values[std::size_t(suns.first) + i];
+    }
+    return glm::max(sum, glm::dvec3(0.0));
+}
+
+glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
+                             const std::vector<PathNode>& nodes) const {
+    const shader::Air air = airOf(table_->atmosphere());
+    glm::dvec3 light(0.0);
+    for (const PathNode& node : nodes) {
+        const double mu = shader::cosineAlong(air, path.height, path.mu, node.t, node.height);
+        const double muS =
+            shader::sunCosineAlong(air, path.height, path.muS, path.nu, node.t, node.height);
+        const double sines = std::sqrt((1.0 - mu * mu) * (1.0 - muS * muS));
+        const double cosAzimuth =
+            sines > 1e-12 ? std::clamp((path.nu - mu * muS) / sines, -1.0, 1.0) : 1.0;
+        const CubicWeights height = cubicWeights(
+            (kHeights - 1) * std::sqrt(node.height / table_->atmosphere().topMetres), kHeights);
+        const CubicWeights sun = cubicWeights(sunPlace(muS), kSuns);
+        const CubicWeights zenith =
+            cubicWeights((kZenithAngles - 1) * std::acos(mu) / kPi, kZenithAngles);
+        const CubicWeights azimuth =
+            cubicWeights((kAzimuths - 1) * std::acos(cosAzimuth) / kPi, kAzimuths);
+        // Four azimuths lie together.
+        std::array<float, 24> sums{};
+        for (std::size_t h = 0; h < 4; ++h) {
+            for (std::size_t s = 0; s < 4; ++s) {
+                const float* const cell =
+                    &grid[((std::size_t(height.first) + h) * kSuns + std::size_t(sun.first) + s) *
+                              kDirectionSize +
+                          (std::size_t(zenith.first) * kAzimuths + std::size_t(azimuth.first)) * 6];
+                for (std::size_t z = 0; z < 4; ++z) {
+                    const auto weight =
+                        float(height.weights[h] * sun.weights[s] * zenith.weights[z]);
+                    const float* const row = cell + z * kAzimuths * 6;
+                    for (std::size_t k = 0; k < sums.size(); ++k) {
+                        sums[k] += weight * row[k];
+                    }
+                }
+            }
+        }
+        std::array<double, 6> source{};
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            source[k % 6] += azimuth.weights[k / 6] * double(sums[k]);
+        }
+        light += node.rayleigh * glm::dvec3(source[0], source[1], source[2]) +
+                 node.mie * glm::dvec3(source[3], source[4], source[5]);
+    }
+    return glm::max(light, glm::dvec3(0.0));
+}
+
+glm::dvec3 SkySources::along(const AirPath& path, int order) const {
+    CHECK(order >= 2 && order < 2 + int(grids_.size()));
+    const glm::dvec2 range = sunsOver(airOf(table_->atmosphere()), path);
+    const std::vector<bool>& wanted = wanted_[std::size_t(order - 2)];
+    CHECK(wanted[std::size_t(cubicWeights(sunPlace(range.x), kSuns).first)] &&
+          wanted[std::size_t(cubicWeights(sunPlace(range.y), kSuns).first) + 3]);
+    std::vector<PathNode> nodes;
+    for (const PathPiece& piece : piecesOf(table_->atmosphere(), path)) {
+        addNodes(*table_, path, piece, alongFirst(), nodes);
+    }
+    return march(grids_[std::size_t(order - 2)], path, nodes);
+}
+
+}  // namespace ribalta

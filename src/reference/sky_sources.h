@@ -1,0 +1,58 @@
+// What the air scatters at each height under each sun into each direction, order by order, as
+// tables: how light of the sky that was scattered more than twice is found.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "reference/optical_length.h"
+#include "reference/sky_field.h"
+#include "reference/sky_ray.h"
+
+namespace ribalta {
+
+/// Sources of the orders 2..orders. An order's source is the radiance of the order before, weighted
+/// with the phase functions and summed over all directions. It is smooth: cubics between the nodes
+/// (28 heights, 72 suns, 37 zenith angles, 19 azimuths) lose some 1e-3 of an order.
+class SkySources {
+  public:
+    /// Makes what `paths` need, on all cores. `table` must outlive it. With groundLightsAir light
+    /// that the ground reflects takes part, a reflection counting as a scattering.
+    SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
+               std::span<const AirPath> paths);
+
+    /// Radiance of exactly `order` 2..orders along a path out of those, for a sun of irradiance 1.
+    glm::dvec3 along(const AirPath& path, int order) const;
+    /// Irradiance of the ground where a path out of those meets it, under a sun of cosine muS, by
+    /// light of exactly `order` 1..orders - 1.
+    glm::dvec3 irradiance(int order, double muS) const;
+
+  private:
+    /// [height][sun][zenith angle][azimuth][6]: Rayleigh's and Mie's colours.
+    using Grid = std::vector<float>;
+
+    void wantSuns(std::span<const AirPath> paths, int orders);
+    void makeOrder(int order);
+    std::vector<glm::dvec3> field(int order, double height, double muS,
+                                  const SkyDirections& directions) const;
+    void addGround(int order, double height, double muS, const SkyDirections& directions,
+                   std::vector<glm::dvec3>& field) const;
+    glm::dvec3 march(const Grid& grid, const AirPath& path,
+                     const std::vector<PathNode>& nodes) const;
+    double sunPlace(double muS) const;
+
+    const OpticalLengthTable* table_;
+    bool groundLightsAir_;
+    double sunScale_ = 1.0;  ///< cosine up to which suns lie evenly
+    double firstSun_ = 0.0;  ///< asinh(muS / sunScale_) of the first and the last
+    double lastSun_ = 0.0;
+    std::vector<double> heights_;
+    std::vector<double> suns_;                          ///< cosines
+    std::vector<std::vector<bool>> wanted_;             ///< by order - 2, by sun
+    std::vector<Grid> grids_;                           ///< by order - 2
+    std::vector<std::vector<glm::dvec3>> irradiances_;  ///< by order - 1, by sun
+};
+
+}  // namespace ribalta
