@@ -10,7 +10,6 @@
 #include "reference/optical_length.h"
 #include "reference/sky_air.h"
 #include "reference/sky_field.h"
-#include "reference/sky_sources.h"
 
 namespace ribalta {
 namespace {
@@ -39,8 +38,8 @@ class SkyIntegrator::Impl {
           table_(atmosphere_),
           rule_(gaussRule(kNodesOfPiece)) {
         CHECK(settings.orders >= 1 && settings.orders <= kMostSkyOrders);
-        if (settings.orders >= 3) {
-            sources_.emplace(table_, settings.orders, settings.groundLightsAir,
+        if (settings.orders >= (settings.exactSecondOrder ? 3 : 2)) {
+            sources_.emplace(table_, settings.orders, settings.groundLightsAir, settings.tables,
                              pathsOf(atmosphere_, rays));
         }
     }
@@ -173,7 +172,7 @@ glm::dvec3 SkyIntegrator::Impl::order(const AirPath& path, int order) const {
     if (order == 1) {
         return single(path).sum();
     }
-    return order == 2 ? second(path) : sources_->along(path, order);
+    return order == 2 && settings_.exactSecondOrder ? second(path) : sources_->along(path, order);
 }
 
 glm::dvec3 SkyIntegrator::Impl::irradiance(int order, double muS) const {

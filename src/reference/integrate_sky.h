@@ -10,16 +10,20 @@
 #include <glm/glm.hpp>
 
 #include "reference/sky_ray.h"
+#include "reference/sky_sources.h"
 #include "scene/atmosphere.h"
 
 namespace ribalta {
 
 struct SkySettings {
-    /// How often light may have been scattered or reflected, 1..kMostOrders.
+    /// How often light may have been scattered or reflected, 1..kMostSkyOrders.
     int orders = 4;
-    /// Whether light that the ground sent up is scattered by the air too. Without, the ground is
-    /// black to the air, and only seen by rays that end on it.
-    bool groundLightsAir = false;
+    /// Whether the air is lit by light that the ground reflected. Without, the ground is only seen
+    /// by rays that end on it.
+    bool groundLightsAir = true;
+    /// Order 2 by quadrature for each ray (a quarter of a second); otherwise from the tables too.
+    bool exactSecondOrder = true;
+    SkyTableSizes tables = {};
 };
 inline constexpr int kMostSkyOrders = 20;
 
@@ -33,7 +37,7 @@ struct SingleScattering {
 /// What a ray brings, in cd/m2 for a sun of 1 lux (1/sr).
 struct SkyLight {
     glm::dvec3 transmittance{1.0};  ///< of the part within the air
-    glm::dvec3 air{0.0};            ///< scattered by the air, 1 to `orders` times
+    glm::dvec3 air{0.0};            ///< scattered towards the ray's start, of orders 1..`orders`
     glm::dvec3 ground{
         0.0};  ///< reflected by the ground where the ray ends on it, dimmed by the air
 };
@@ -42,7 +46,7 @@ struct SkyLight {
 /// of directions, higher orders by tables of what is scattered at each height under each sun.
 class SkyIntegrator {
   public:
-    /// `atmosphere` as checked() takes it. Where more than two orders are asked for, makes the
+    /// `atmosphere` as checked() takes it. Where there are orders to tabulate, makes the
     /// tables that `rays` need, on all cores (seconds to minutes); along() then takes no others.
     SkyIntegrator(const Atmosphere& atmosphere, const SkySettings& settings,
                   std::span<const SkyRay> rays);

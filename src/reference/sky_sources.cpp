@@ -15,24 +15,6 @@ namespace ribalta {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kHeights = 28;
-constexpr int kSuns = 72;
-constexpr int kZenithAngles = 37;
-constexpr int kAzimuths = 19;
-constexpr std::size_t kDirectionSize = std::size_t(kZenithAngles) * kAzimuths * 6;
-// Sunlight once scattered peaks around the sun; later orders do not.
-constexpr DirectionCounts kFirstDirections{28, 20, 33};
-constexpr DirectionCounts kLaterDirections{20, 14, 17};
-
-const GaussRule& alongFirst() {
-    static const GaussRule rule = gaussRule(24);
-    return rule;
-}
-const GaussRule& alongLater() {
-    static const GaussRule rule = gaussRule(16);
-    return rule;
-}
-
 /// The cosines of the sun over a path: lowest and highest.
 glm::dvec2 sunsOver(const shader::Air& air, const AirPath& path) {
     constexpr int kSteps = 32;
@@ -53,13 +35,30 @@ double longestAngle(const Atmosphere& air) {
 
 }  // namespace
 
+SkyTableSizes coarseSkyTables() {
+    SkyTableSizes sizes;
+    sizes.heights = 14;
+    sizes.suns = 48;
+    sizes.zenithAngles = 25;
+    sizes.azimuths = 13;
+    sizes.firstDirections = {18, 12, 21};
+    sizes.laterDirections = {12, 8, 9};
+    sizes.nodesOfFirst = 14;
+    sizes.nodesOfLater = 10;
+    return sizes;
+}
+
 SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
-                       std::span<const AirPath> paths)
-    : table_(&table), groundLightsAir_(groundLightsAir) {
+                       const SkyTableSizes& sizes, std::span<const AirPath> paths)
+    : table_(&table),
+      groundLightsAir_(groundLightsAir),
+      sizes_(sizes),
+      alongFirst_(gaussRule(sizes.nodesOfFirst)),
+      alongLater_(gaussRule(sizes.nodesOfLater)) {
     CHECK(orders >= 2);
     const Atmosphere& air = table.atmosphere();
-    for (int i = 0; i < kHeights; ++i) {
-        const double part = double(i) / (kHeights - 1);
+    for (int i = 0; i < sizes_.heights; ++i) {
+        const double part = double(i) / (sizes_.heights - 1);
         heights_.push_back(air.topMetres * part * part);
     }
     // Dusk is over within a few sqrt(H / R) around the horizon; darkness once no two ways through
@@ -69,8 +68,8 @@ SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundL
     const double darkest = 2.0 * longestAngle(air);
     firstSun_ = std::asinh((darkest < 0.5 * kPi ? -std::sin(darkest) : -1.0) / sunScale_);
     lastSun_ = std::asinh(1.0 / sunScale_);
-    for (int i = 0; i < kSuns; ++i) {
-        const double y = firstSun_ + (lastSun_ - firstSun_) * i / (kSuns - 1);
+    for (int i = 0; i < sizes_.suns; ++i) {
+        const double y = firstSun_ + (lastSun_ - firstSun_) * i / (sizes_.suns - 1);
         suns_.push_back(std::clamp(sunScale_ * std::sinh(y), -1.0, 1.0));
     }
     wantSuns(paths, orders);
@@ -79,33 +78,37 @@ SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundL
     }
 }
 
+std::size_t SkySources::directionSize() const {
+    return std::size_t(sizes_.zenithAngles) * std::size_t(sizes_.azimuths) * 6;
+}
+
 double SkySources::sunPlace(double muS) const {
-    return (std::asinh(muS / sunScale_) - firstSun_) / (lastSun_ - firstSun_) * (kSuns - 1);
+    return (std::asinh(muS / sunScale_) - firstSun_) / (lastSun_ - firstSun_) * (sizes_.suns - 1);
 }
 
 void SkySources::wantSuns(std::span<const AirPath> paths, int orders) {
     const shader::Air air = airOf(table_->atmosphere());
-    wanted_.assign(std::size_t(orders - 1), std::vector<bool>(kSuns, false));
+    wanted_.assign(std::size_t(orders - 1), std::vector<bool>(std::size_t(sizes_.suns), false));
     for (const AirPath& path : paths) {
         const glm::dvec2 range = sunsOver(air, path);
         // What cubics take, and one more for what lies between the steps.
-        const int first = cubicWeights(sunPlace(range.x) - 1.0, kSuns).first;
-        const int last = cubicWeights(sunPlace(range.y) + 1.0, kSuns).first + 3;
+        const int first = cubicWeights(sunPlace(range.x) - 1.0, sizes_.suns).first;
+        const int last = cubicWeights(sunPlace(range.y) + 1.0, sizes_.suns).first + 3;
         for (int i = first; i <= last; ++i) {
             wanted_.back()[std::size_t(i)] = true;
         }
     }
     const double reach = longestAngle(table_->atmosphere());
     for (int order = orders - 1; order >= 2; --order) {
-        for (int i = 0; i < kSuns; ++i) {
+        for (int i = 0; i < sizes_.suns; ++i) {
             if (!wanted_[std::size_t(order - 1)][std::size_t(i)]) {
                 continue;
             }
             const double angle = std::acos(suns_[std::size_t(i)]);
             const double low = std::cos(std::min(angle + reach, kPi));
             const double high = std::cos(std::max(angle - reach, 0.0));
-            const int first = cubicWeights(sunPlace(low) - 1.0, kSuns).first;
-            const int last = cubicWeights(sunPlace(high) + 1.0, kSuns).first + 3;
+            const int first = cubicWeights(sunPlace(low) - 1.0, sizes_.suns).first;
+            const int last = cubicWeights(sunPlace(high) + 1.0, sizes_.suns).first + 3;
             for (int k = first; k <= last; ++k) {
                 wanted_[std::size_t(order - 2)][std::size_t(k)] = true;
             }
@@ -117,18 +120,19 @@ void SkySources::makeOrder(int order) {
     const Atmosphere& air = table_->atmosphere();
     const std::vector<bool>& wanted = wanted_[std::size_t(order - 2)];
     std::vector<int> suns;
-    for (int i = 0; i < kSuns; ++i) {
+    for (int i = 0; i < sizes_.suns; ++i) {
         if (wanted[std::size_t(i)]) {
             suns.push_back(i);
         }
     }
-    Grid grid(std::size_t(kHeights) * kSuns * kDirectionSize);
-    std::vector<glm::dvec3> irradiances(kSuns, glm::dvec3(0.0));
-    for (int h = 0; h < kHeights; ++h) {
+    Grid grid(std::size_t(sizes_.heights) * std::size_t(sizes_.suns) * directionSize());
+    std::vector<glm::dvec3> irradiances(std::size_t(sizes_.suns), glm::dvec3(0.0));
+    for (int h = 0; h < sizes_.heights; ++h) {
         const double height = heights_[std::size_t(h)];
         const SkyDirections directions =
-            directionsAt(air, height, order == 2 ? kFirstDirections : kLaterDirections);
-        const PhaseProjection projection(directions, air.mieG, kZenithAngles, kAzimuths);
+            directionsAt(air, height, order == 2 ? sizes_.firstDirections : sizes_.laterDirections);
+        const PhaseProjection projection(directions, air.mieG, sizes_.zenithAngles,
+                                         sizes_.azimuths);
         parallelFor(suns.size(), [&](std::size_t k) {
             const auto s = std::size_t(suns[k]);
             std::vector<glm::dvec3> light = field(order - 1, height, suns_[s], directions);
@@ -138,8 +142,8 @@ void SkySources::makeOrder(int order) {
             if (groundLightsAir_) {
                 addGround(order - 1, height, suns_[s], directions, light);
             }
-            projection.apply(
-                light, {&grid[(std::size_t(h) * kSuns + s) * kDirectionSize], kDirectionSize});
+            projection.apply(light, {&grid[(std::size_t(h) * sizes_.suns + s) * directionSize()],
+                                     directionSize()});
         });
         if (h == 0) {
             irradiances_.push_back(irradiances);
@@ -151,7 +155,7 @@ void SkySources::makeOrder(int order) {
 std::vector<glm::dvec3> SkySources::field(int order, double height, double muS,
                                           const SkyDirections& directions) const {
     if (order == 1) {
-        return firstOrderField(*table_, height, muS, directions, alongFirst());
+        return firstOrderField(*table_, height, muS, directions, alongFirst_);
     }
     const Atmosphere& atmosphere = table_->atmosphere();
     const shader::Air air = airOf(atmosphere);
@@ -164,8 +168,8 @@ std::vector<glm::dvec3> SkySources::field(int order, double height, double muS,
             if (nodes.empty()) {
                 const double turn =
                     std::min(shader::distanceToLowest(air, height, mu), path.length);
-                addNodes(*table_, path, {0.0, turn, false, true}, alongLater(), nodes);
-                addNodes(*table_, path, {turn, path.length, true, true}, alongLater(), nodes);
+                addNodes(*table_, path, {0.0, turn, false, true}, alongLater_, nodes);
+                addNodes(*table_, path, {turn, path.length, true, true}, alongLater_, nodes);
             }
             light.push_back(march(grids_[std::size_t(order - 2)], path, nodes));
         }
@@ -194,7 +198,7 @@ void SkySources::addGround(int order, double height, double muS, const SkyDirect
 
 glm::dvec3 SkySources::irradiance(int order, double muS) const {
     const std::vector<glm::dvec3>& values = irradiances_.at(std::size_t(order - 1));
-    const CubicWeights suns = cubicWeights(sunPlace(muS), kSuns);
+    const CubicWeights suns = cubicWeights(sunPlace(muS), sizes_.suns);
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < 4; ++i) {
         sum += suns.weights[i] * values[std::size_t(suns.first) + i];
@@ -205,6 +209,9 @@ glm::dvec3 SkySources::irradiance(int order, double muS) const {
 glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
                              const std::vector<PathNode>& nodes) const {
     const shader::Air air = airOf(table_->atmosphere());
+    const std::size_t size = directionSize();
+    const auto suns = std::size_t(sizes_.suns);
+    const auto azimuths = std::size_t(sizes_.azimuths);
     glm::dvec3 light(0.0);
     for (const PathNode& node : nodes) {
         const double mu = shader::cosineAlong(air, path.height, path.mu, node.t, node.height);
@@ -214,24 +221,25 @@ glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
         const double cosAzimuth =
             sines > 1e-12 ? std::clamp((path.nu - mu * muS) / sines, -1.0, 1.0) : 1.0;
         const CubicWeights height = cubicWeights(
-            (kHeights - 1) * std::sqrt(node.height / table_->atmosphere().topMetres), kHeights);
-        const CubicWeights sun = cubicWeights(sunPlace(muS), kSuns);
+            (sizes_.heights - 1) * std::sqrt(node.height / table_->atmosphere().topMetres),
+            sizes_.heights);
+        const CubicWeights sun = cubicWeights(sunPlace(muS), sizes_.suns);
         const CubicWeights zenith =
-            cubicWeights((kZenithAngles - 1) * std::acos(mu) / kPi, kZenithAngles);
+            cubicWeights((sizes_.zenithAngles - 1) * std::acos(mu) / kPi, sizes_.zenithAngles);
         const CubicWeights azimuth =
-            cubicWeights((kAzimuths - 1) * std::acos(cosAzimuth) / kPi, kAzimuths);
+            cubicWeights((sizes_.azimuths - 1) * std::acos(cosAzimuth) / kPi, sizes_.azimuths);
         // Four azimuths lie together.
         std::array<float, 24> sums{};
         for (std::size_t h = 0; h < 4; ++h) {
             for (std::size_t s = 0; s < 4; ++s) {
                 const float* const cell =
-                    &grid[((std::size_t(height.first) + h) * kSuns + std::size_t(sun.first) + s) *
-                              kDirectionSize +
-                          (std::size_t(zenith.first) * kAzimuths + std::size_t(azimuth.first)) * 6];
+                    &grid[((std::size_t(height.first) + h) * suns + std::size_t(sun.first) + s) *
+                              size +
+                          (std::size_t(zenith.first) * azimuths + std::size_t(azimuth.first)) * 6];
                 for (std::size_t z = 0; z < 4; ++z) {
                     const auto weight =
                         float(height.weights[h] * sun.weights[s] * zenith.weights[z]);
-                    const float* const row = cell + z * kAzimuths * 6;
+                    const float* const row = cell + z * azimuths * 6;
                     for (std::size_t k = 0; k < sums.size(); ++k) {
                         sums[k] += weight * row[k];
                     }
@@ -252,11 +260,11 @@ glm::dvec3 SkySources::along(const AirPath& path, int order) const {
     CHECK(order >= 2 && order < 2 + int(grids_.size()));
     const glm::dvec2 range = sunsOver(airOf(table_->atmosphere()), path);
     const std::vector<bool>& wanted = wanted_[std::size_t(order - 2)];
-    CHECK(wanted[std::size_t(cubicWeights(sunPlace(range.x), kSuns).first)] &&
-          wanted[std::size_t(cubicWeights(sunPlace(range.y), kSuns).first) + 3]);
+    CHECK(wanted[std::size_t(cubicWeights(sunPlace(range.x), sizes_.suns).first)] &&
+          wanted[std::size_t(cubicWeights(sunPlace(range.y), sizes_.suns).first) + 3]);
     std::vector<PathNode> nodes;
     for (const PathPiece& piece : piecesOf(table_->atmosphere(), path)) {
-        addNodes(*table_, path, piece, alongFirst(), nodes);
+        addNodes(*table_, path, piece, alongFirst_, nodes);
     }
     return march(grids_[std::size_t(order - 2)], path, nodes);
 }

@@ -15,6 +15,7 @@
 #include "process.h"
 #include "reference_command.h"
 #include "render_command.h"
+#include "sky_command.h"
 #include "sweep_command.h"
 
 namespace {
@@ -76,6 +77,7 @@ int run(int argc, char** argv) {
     ribalta::addCompareCommand(app);
     ribalta::addSweepCommand(app);
     ribalta::addReferenceCommand(app);
+    ribalta::addSkyCommand(app);
     if (const char* const empty = findEmptyValue(argc, argv)) {
         return fail(std::string(empty) + " has no value; see ribalta --help", kUsage);
     }

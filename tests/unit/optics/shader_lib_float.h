@@ -15,6 +15,7 @@ using glm::clamp;
 using glm::cross;
 using glm::dot;
 using glm::exp;
+using glm::exp2;
 using glm::max;
 using glm::min;
 using glm::mix;
@@ -32,6 +33,9 @@ using vec3 = glm::vec3;
 #include "beam_geometry.glsl"
 #include "brdf.glsl"
 #include "tonemap.glsl"
+#include "air.glsl"
+#include "air_shell.glsl"
+#include "chapman.glsl"
 #undef OUT
 // clang-format on
 

@@ -1,0 +1,100 @@
+"""Numbers of the sky for listed rays: what is written, and what a bad list is told."""
+
+import csv
+import io
+import math
+import unittest
+
+from command import BAD_INPUT, JOB_FAILED, USAGE, CommandTest
+
+HEADER = "alt_km,mu,mu_s,nu\n"
+ZENITH = "0,1,0.5,0.5\n"
+NEW = [name + color for name in ("T_", "L_", "Lg_") for color in "rgb"]
+
+
+class Tables(CommandTest):
+    def table(self, points, *options):
+        """The rows that the program writes for a file of that content."""
+        self.write("points.csv", points.encode())
+        text = self.expect_done("sky", "--points", "points.csv", "-o", "-", *options).stdout
+        return list(csv.DictReader(io.StringIO(text)))
+
+    def test_closed_form_under_the_sun(self):
+        # Straight up, where sunlight comes straight down: phase tau exp(-tau).
+        [row] = self.table(HEADER + "0,1,1,1\n", "--orders=1", "--rayleigh-only")
+        for color, coefficient in zip("rgb", (5.8e-6, 13.5e-6, 33.1e-6)):
+            tau = coefficient * 8000 * -math.expm1(-7.5)
+            expected = 3 / (8 * math.pi) * tau * math.exp(-tau)
+            self.assertAlmostEqual(float(row["T_" + color]) / math.exp(-tau), 1, places=9)
+            self.assertAlmostEqual(float(row["L_" + color]) / expected, 1, places=9)
+            self.assertEqual(row["L_" + color], row["Lg_" + color])
+
+    def test_appends_to_the_columns_there_are(self):
+        points = "\ufeffname,nu,T_r,mu,alt_km,mu_s\r\n\"a, b\",-1,7,-1,10,1\r\n\r\n c ,0.5,,1,0,.5\r\n"
+        self.write("points.csv", points.encode())
+        self.expect_done("sky", "--points", "points.csv", "-o", "out.csv", "--orders", 1)
+        with open(self.folder / "out.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), ["name", "nu", "mu", "alt_km", "mu_s", *NEW])
+        self.assertEqual([row["name"] for row in rows], ["a, b", " c "])
+        self.assertEqual(rows[0]["alt_km"], "10")
+        # It looks down: the ground is lit.
+        self.assertGreater(float(rows[0]["Lg_r"]), 2 * float(rows[0]["L_r"]))
+        self.assertEqual(self.files(), ["out.csv", "points.csv"])
+
+    def test_rays_that_end(self):
+        points = "alt_km,mu,mu_s,nu,d_km\n0,1,.5,.5,0\n0,1,.5,.5,1\n0,1,.5,.5,\n0,1,.5,.5,inf\n"
+        nothing, near, *endless = self.table(points, "--orders=1")
+        self.assertEqual(float(nothing["T_b"]), 1)
+        self.assertEqual(float(nothing["L_b"]), 0)
+        self.assertLess(float(near["L_b"]), float(endless[0]["L_b"]))
+        self.assertEqual(endless[0], {**endless[1], "d_km": ""})
+
+    def test_more_orders_are_more_light(self):
+        lights = [float(self.table(HEADER + ZENITH, f"--orders={n}")[0]["L_b"]) for n in (1, 2, 3)]
+        self.assertEqual(lights, sorted(set(lights)))
+        self.assertLess(lights[2], 2 * lights[0])
+
+
+class WrongUsage(CommandTest):
+    def refuse(self, code, words, points, *options):
+        self.write("points.csv", points.encode())
+        self.expect_error(code, words, "sky", "--points", "points.csv", "-o", "out.csv", *options)
+        self.assertEqual(self.files(), ["points.csv"])
+
+    def test_options(self):
+        good = HEADER + ZENITH
+        self.refuse(USAGE, ["'fast'", "reference"], good, "--model=fast")
+        for orders in ["0", "21", "many", "1.5"]:
+            self.refuse(USAGE, [f"'{orders}'", "1..20"], good, f"--orders={orders}")
+        self.expect_error(USAGE, ["--points"], "sky", "-o", "out.csv")
+        self.expect_error(USAGE, ["--output"], "sky", "--points", "points.csv")
+        self.refuse(JOB_FAILED, ["nowhere", "folder"], good, "--output=nowhere/out.csv")
+
+    def test_missing_file(self):
+        self.expect_error(BAD_INPUT, ["nothing.csv"], "sky", "--points", "nothing.csv", "-o", "-")
+
+    def test_lists(self):
+        place = ["points.csv", "line 3"]
+        for row, words in [
+            ("0,up,1,1", ["column mu", "'up'", "-1..1"]),
+            ("0,1.1,1,1", ["column mu", "'1.1'"]),
+            ("0,1,nan,1", ["column mu_s", "'nan'"]),
+            ("-1,1,1,1", ["column alt_km", "'-1'", "km"]),
+            ("0,1,1,0.5", ["column nu", "0.5", "1..1"]),
+            ("0,1,1", ["has 3 values", "4 columns"]),
+            ("0,1,1,1,1", ["has 5 values"]),
+        ]:
+            self.refuse(BAD_INPUT, place + words, HEADER + ZENITH + row + "\n")
+        self.refuse(BAD_INPUT, ["line 2", "column d_km", "'far'"],
+                    "alt_km,mu,mu_s,nu,d_km\n0,1,1,1,far\n")
+
+    def test_headers(self):
+        self.refuse(BAD_INPUT, ["line 1", "no column nu", "alt_km,mu,mu_s,nu"], "alt_km,mu,mu_s\n")
+        self.refuse(BAD_INPUT, ["line 1", "more than one column mu"], "alt_km,mu,mu,mu_s,nu\n")
+        self.refuse(BAD_INPUT, ["no rays"], HEADER)
+        self.refuse(BAD_INPUT, ["no rays"], "")
+
+
+if __name__ == "__main__":
+    unittest.main()
