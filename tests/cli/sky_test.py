@@ -69,7 +69,8 @@ class WrongUsage(CommandTest):
             self.refuse(USAGE, [f"'{orders}'", "1..20"], good, f"--orders={orders}")
         self.expect_error(USAGE, ["--points"], "sky", "-o", "out.csv")
         self.expect_error(USAGE, ["--output"], "sky", "--points", "points.csv")
-        self.refuse(JOB_FAILED, ["nowhere", "folder"], good, "--output=nowhere/out.csv")
+        self.expect_error(JOB_FAILED, ["nowhere", "folder"], "sky", "--points", "points.csv",
+                          "-o", "nowhere/out.csv")
 
     def test_missing_file(self):
         self.expect_error(BAD_INPUT, ["nothing.csv"], "sky", "--points", "nothing.csv", "-o", "-")

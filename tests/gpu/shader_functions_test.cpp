@@ -385,5 +385,95 @@ TEST_F(ShaderFunctions, ViewRaysAndDepth) {
         {5e-7, 1e-6});
 }
 
+constexpr const char* kEarth =
+    "Air air; air.groundRadius = 6.36e6; air.top = 60e3; air.rayleighHeight = 8e3;"
+    "air.mieHeight = 1.2e3; air.rayleighScattering = vec3(5.8e-6, 13.5e-6, 33.1e-6);"
+    "air.mieScattering = vec3(4e-6); air.mieExtinction = vec3(4.44e-6); air.mieG = 0.8;";
+
+shader::Air earth() {
+    shader::Air air{};
+    air.groundRadius = 6.36e6;
+    air.top = 60e3;
+    air.rayleighHeight = 8e3;
+    air.mieHeight = 1.2e3;
+    air.rayleighScattering = {5.8e-6, 13.5e-6, 33.1e-6};
+    air.mieScattering = glm::dvec3(4e-6);
+    air.mieExtinction = glm::dvec3(4.44e-6);
+    return air;
+}
+
+TEST_F(ShaderFunctions, Air) {
+    const shader::Air air = earth();
+    const std::string given = kEarth;
+    // Rays that do not come within a metre of grazing the ground, where a bit of mu decides.
+    const auto draw = [&](Random& r) {
+        for (;;) {
+            const float h = r.magnitude(1e-3, 6e4);
+            const float mu = r.between(-1, 1);
+            if (std::abs(shader::lowestHeight(air, double(h), double(mu))) > 1.0) {
+                return Inputs{h, mu, r.between(0, 1)};
+            }
+        }
+    };
+    const auto length = [&](const Doubles& a) {
+        return shader::distanceInAir(air, a[0], a[1], shader::hitsGround(air, a[0], a[1]));
+    };
+    compare(given +
+                "bool ground = hitsGround(air, a(0), a(1)); put(0, ground ? 1.0 : 0.0);"
+                "put(1, distanceInAir(air, a(0), a(1), ground));",
+            2, draw,
+            [&](const Doubles& a) {
+                return Doubles{shader::hitsGround(air, a[0], a[1]) ? 1.0 : 0.0, length(a)};
+            },
+            {2e-5, 1e-2});
+    // At a distance the same for both; 0.03 m is what singles keep of heights.
+    const std::string part = given + "float t = a(2) * 1e5;";
+    compare(part + "put(0, heightAlong(air, a(0), a(1), t));", 1, draw,
+            [&](const Doubles& a) {
+                return Doubles{shader::heightAlong(air, a[0], a[1], double(float(a[2]) * 1e5F))};
+            },
+            {5e-7, 0.06});
+    compare(given + "put3(airExtinction(air, a(0)) * 1e6);", 3, draw,
+            [&](const Doubles& a) {
+                const glm::dvec3 value = 1e6 * shader::airExtinction(air, a[0]);
+                return Doubles{value.x, value.y, value.z};
+            },
+            {3e-6, 0.0});
+    compare(
+        "put(0, chapman(a(0), a(1))); put(1, chapmanSchuler(a(0), a(1)));", 2,
+        [](Random& r) {
+            return Inputs{r.between(795, 5300), r.between(-0.05, 1)};
+        },
+        [](const Doubles& a) {
+            return Doubles{shader::chapman(a[0], a[1]), shader::chapmanSchuler(a[0], a[1])};
+        },
+        {2e-5, 0.0});
+}
+
+TEST_F(ShaderFunctions, PlanetShadow) {
+    const shader::Air air = earth();
+    // The sun clearly under the horizon of the start, which then lies in the shadow.
+    compare(
+        std::string(kEarth) +
+            "float entry; float exit;"
+            "planetShadow(air, a(0), a(1), a(2), a(3), entry, exit);"
+            "put(0, entry); put(1, min(exit, 1e7));",
+        2,
+        [](Random& r) {
+            const float mu = r.between(0.1, 1);
+            const float muS = r.between(-0.9, -0.2);
+            const auto sines = double(std::sqrt((1.0F - mu * mu) * (1.0F - muS * muS)));
+            return Inputs{r.magnitude(1e-3, 6e4), mu, muS,
+                          mu * muS + r.between(-0.9 * sines, 0.9 * sines)};
+        },
+        [&](const Doubles& a) {
+            double entry = 0.0;
+            double exit = 0.0;
+            shader::planetShadow(air, a[0], a[1], a[2], a[3], entry, exit);
+            return Doubles{entry, std::min(exit, 1e7)};
+        },
+        {2e-5, 1.0});
+}
+
 }  // namespace
 }  // namespace ribalta::test
