@@ -20,14 +20,14 @@ glm::dvec3 transmittance(const Atmosphere& atmosphere, const glm::dvec2& lengths
 
 /// The same from 0..top to the air's end, for rays that do not hit the ground: log(optical length /
 /// distance) over height and distance (the mapping of Bruneton's 2017 code), by cubics. For Earth's
-/// air within 1e-6 of it.
+/// air within 3e-6, for scale heights an eighth of Earth's within 2e-4.
 class OpticalLengthTable {
   public:
     explicit OpticalLengthTable(const Atmosphere& atmosphere);
 
     glm::dvec2 toTop(double height, double mu) const;
     /// Over `distance` within the air; `ground` where the whole ray hits it. As a difference:
-    /// 1e-6 of the way to the air's end, not of its own.
+    /// the errors are parts of the way to the air's end, not of this one.
     glm::dvec2 along(double height, double mu, double distance, bool ground) const;
 
     const Atmosphere& atmosphere() const { return atmosphere_; }
