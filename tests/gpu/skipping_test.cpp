@@ -191,7 +191,7 @@ TEST_F(Skipping, NoLightMapOfALampThatIsNotDrawn) {
         Renderer renderer(scene);
         renderer.draw(camera_, settings_);
         EXPECT_EQ(renderer.lastPlan().lamps.size(), 1U);
-        return int(glCounters().texturesMade - before.texturesMade;
+        return int(glCounters().texturesMade - before.texturesMade);
     };
     const int lit = texturesOf(scene_);
     SpotLight dark = scene_.spotLights[0];
