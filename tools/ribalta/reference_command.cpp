@@ -115,10 +115,11 @@ void drawReferenceFile(const ReferenceOptions& options) {
     std::optional<Progress> progress(std::in_place, "tracing", std::size_t(size.height));
     const ReferencePicture picture = drawReference(loaded.scene, settings, &*progress);
     progress.emplace("writing");
-    ReferenceFacts facts =
+    const ReferenceView view =
         describeReference(std::filesystem::path(options.scene).filename().string(), settings);
-    facts["version"] = RIBALTA_VERSION;
-    writeExr(options.output, referenceImage(picture, settings, std::move(facts), layers));
+    FloatImage image = referenceImage(picture, settings, view, layers);
+    image.facts["version"] = RIBALTA_VERSION;
+    writeExr(options.output, image);
     progress.reset();
     tellOfResult(picture, std::chrono::duration<double>(Clock::now() - start).count(),
                  options.error);

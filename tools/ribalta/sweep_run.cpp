@@ -165,7 +165,7 @@ std::string SweepRun::keyOf(const PlannedPoint& planned) const {
     hash.add(plan_.scenes[planned.scene].hash);
     hash.add(json.at("name").get<std::string>());
     hash.add(json.at("settings").dump());
-    hash.add(describeReference("", referenceSettings(planned)).at("camera"));
+    hash.add(describeReference("", referenceSettings(planned)).camera);
     hash.add(std::to_string(settings_.measure.warmups));
     hash.add(std::to_string(settings_.measure.repeats));
     for (const std::string& visibility : settings_.visibilities) {
