@@ -1,6 +1,7 @@
 """What a render writes: pictures of any size, all of it or nothing, statistics of a fixed shape."""
 
 import json
+import re
 import resource
 import signal
 import subprocess
@@ -46,6 +47,15 @@ class Pictures(CommandTest):
                                       "auto", *goal)
             for word in words:
                 self.assertIn(word, result.stderr)
+
+    def test_what_auto_tried_is_not_counted(self):
+        scene = SCENES / "one_lamp.glb"
+        small = ["render", scene, "--size", "48x27", "--exposure", "8", "--stats", "a.json"]
+        told = self.expect_done(*small, "--beams", "auto", "--error", "2%").stderr
+        method, sheets = re.search(r"auto took (\S+) with (\d+) sheets", told).groups()
+        counters = json.loads((self.folder / "a.json").read_text())["counters"]
+        self.expect_done(*small, "--beams", method, "--planes", sheets)
+        self.assertEqual(counters, json.loads((self.folder / "a.json").read_text())["counters"])
 
     def test_options_of_planes(self):
         self.render("--size", "32x18", "-o", "a.png", "--beams=planes", "--planes=8", "--cells=4x4",
