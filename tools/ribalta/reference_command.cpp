@@ -18,6 +18,7 @@
 #include "image/write_image.h"
 #include "load_scene.h"
 #include "options.h"
+#include "output_checks.h"
 #include "parse_number.h"
 #include "reference/reference_file.h"
 #include "reference/reference_picture.h"
@@ -102,6 +103,7 @@ void drawReferenceFile(const ReferenceOptions& options) {
     checkOutput(options.output);
 
     const LoadedScene loaded = loadScene(options.scene);
+    refuseReplacing(options.output, loaded.files);
     settings.camera = chooseCamera(loaded.scene, options.camera, double(size.width) / size.height);
 
     const Clock::time_point start = Clock::now();
@@ -119,6 +121,7 @@ void drawReferenceFile(const ReferenceOptions& options) {
         describeReference(std::filesystem::path(options.scene).filename().string(), settings);
     FloatImage image = referenceImage(picture, settings, view, layers);
     image.facts["version"] = RIBALTA_VERSION;
+    warnOfNonFinite(image, options.output);
     writeExr(options.output, image);
     progress.reset();
     tellOfResult(picture, std::chrono::duration<double>(Clock::now() - start).count(),

@@ -16,6 +16,7 @@
 #include "haze_options.h"
 #include "load_scene.h"
 #include "options.h"
+#include "output_checks.h"
 #include "render/renderer.h"
 #include "render_outputs.h"
 #include "render_stats.h"
@@ -156,6 +157,9 @@ void render(const RenderOptions& options) {
     checkOutputs(outputs);
 
     const LoadedScene loaded = loadScene(options.scene);
+    for (const std::filesystem::path& output : outputs.files) {
+        refuseReplacing(output, loaded.files);
+    }
     const Camera camera = chooseCamera(loaded.scene, options.camera,
                                        double(settings.width) / double(settings.height));
 
