@@ -17,7 +17,7 @@ if(RIBALTA_SANITIZE)
     # Undefined behaviour is looked for in the program and not in the tests' own code, whose
     # compilation would take half as long again. Linked after ribalta_options.
     add_library(ribalta_tests_own_code INTERFACE)
-    target_compile_options(ribalta_tests_own_code INTERFACE -fno-sanitize=undefined)
+    target_compile_options(ribalta_tests_own_code INTERFACE -fno-sanitize=undefined -Werror)
 endif()
 
 # ribalta_precompile(TARGET KIND HEADERS ...): parses HEADERS once for all targets of one KIND, which
@@ -62,8 +62,10 @@ function(ribalta_module NAME)
         <glm/glm.hpp>)
 endfunction()
 
-# All tests that need no OpenGL: what the sanitized build is made for.
+# All tests that need no OpenGL, which is what the sanitized build is made for, and all others, with
+# the programs that they run.
 add_custom_target(cpu_tests)
+add_custom_target(gpu_tests)
 
 # ribalta_test(NAME [HEADER_CODE] LABEL unit|gpu|images|corpus SOURCES ... LINKS ...): a GoogleTest
 # program whose cases CTest runs one by one. HEADER_CODE: what it tests is compiled with the test.
@@ -82,10 +84,17 @@ function(ribalta_test NAME)
                         RIBALTA_BINARY_DIR="${PROJECT_BINARY_DIR}")
     if(ARG_LABEL MATCHES "^(unit|corpus)$")
         add_dependencies(cpu_tests ${NAME})
+    else()
+        add_dependencies(gpu_tests ${NAME})
+    endif()
+    # Tests over whole files take longest, and start first.
+    set(cost 1)
+    if(ARG_LABEL STREQUAL corpus)
+        set(cost 100)
     endif()
     gtest_discover_tests(
         ${NAME}
         TEST_PREFIX "${NAME}."
         DISCOVERY_TIMEOUT 60
-        PROPERTIES LABELS ${ARG_LABEL} TIMEOUT 600)
+        PROPERTIES LABELS ${ARG_LABEL} COST ${cost} TIMEOUT 600)
 endfunction()
