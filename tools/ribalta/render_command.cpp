@@ -189,6 +189,9 @@ void render(const RenderOptions& options) {
     stats.load.push_back({"upload", uploadMs});
     stats.peakBytes = peakMemory();
 
+    if (!options.stats.empty()) {
+        stats.samples = renderer.beamSamples();
+    }
     if (!options.stats.empty() && renderer.lastPlan().beams &&
         renderer.lastPlan().beams->shadowPyramid) {
         // In a frame of its own, of the same picture: counting takes time.
