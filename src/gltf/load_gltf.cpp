@@ -151,6 +151,8 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     }
     scene.textures = textures.textures();
     scene.images = images.decode(report);
+    loaded.files.assign(images.files().begin(), images.files().end());
+    loaded.files.push_back(path);
     watch.lap("images");
 
     reportSceneOddities(import, meshes, scene, report);

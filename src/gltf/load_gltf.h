@@ -14,6 +14,7 @@ namespace ribalta {
 struct LoadedScene {
     Scene scene;
     Report report;
+    std::vector<std::filesystem::path> files;    ///< the file itself, and the images beside it
     std::vector<std::string> extensionsUsed;     ///< as the file lists them
     std::vector<std::string> extensionsIgnored;  ///< of these, what this program does not draw
 

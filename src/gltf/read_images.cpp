@@ -50,7 +50,10 @@ int ImageTable::useImage(std::size_t image) {
         }
         try {
             const std::string file = identityOf(resolveUri(text, import_.folder, place.at("uri")));
-            key = file.empty() ? key : file;
+            if (!file.empty()) {
+                key = file;
+                files_.insert(file);
+            }
         } catch (const Error&) {
             // Found again, and reported, when it is decoded.
         }
@@ -65,7 +68,10 @@ int ImageTable::useFile(const std::string& path, const Place& place) {
     std::string key = "path " + path;
     try {
         const std::string file = identityOf(resolvePath(path, import_.folder, place));
-        key = file.empty() ? key : file;
+        if (!file.empty()) {
+            key = file;
+            files_.insert(file);
+        }
     } catch (const Error&) {
         // Found again, and reported, when it is decoded.
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ class ImageTable {
     /// stand-in, and is reported.
     std::vector<Image> decode(Report& report) const;
 
+    /// The files beside the glTF that were asked for and are there.
+    const std::set<std::filesystem::path>& files() const { return files_; }
+
   private:
     struct Request {
         Place place;
@@ -41,6 +45,7 @@ class ImageTable {
 
     const Import& import_;
     std::vector<Request> requests_;
+    std::set<std::filesystem::path> files_;
     std::map<std::string, int> known_;
 };
 

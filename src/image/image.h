@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace ribalta {
@@ -27,14 +28,16 @@ struct Image {
     std::size_t bytesPerPixel() const { return type == Type::kUint8 ? 4 : 16; }
 };
 
+/// What a picture says of itself: printable text, or a number, which keeps all its digits.
+using ImageFact = std::variant<std::string, double>;
+
 /// Float channels with names of their own, as in an EXR: pictures that are measured or written.
 struct FloatImage {
     int width = 0;
     int height = 0;
-    std::vector<std::string> channels;  ///< e.g. R, G, B, beams.R, Z
-    std::vector<float> values;          ///< rows from the top, channels interleaved
-    /// What else a picture says of itself, by name; an EXR keeps it. Printable text.
-    std::map<std::string, std::string> facts{};
+    std::vector<std::string> channels;         ///< e.g. R, G, B, beams.R, Z
+    std::vector<float> values;                 ///< rows from the top, channels interleaved
+    std::map<std::string, ImageFact> facts{};  ///< by name; an EXR keeps them
 
     /// Index of a channel by name, or -1.
     int channel(const std::string& name) const;

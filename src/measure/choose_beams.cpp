@@ -74,13 +74,19 @@ class Trial {
     double ev100_ = 0.0;
 };
 
-// The first rung from which `holds` is true; kLadder.size() if none.
-Rung firstRung(const std::function<bool(int planes)>& holds) {
+// What was measured of the rungs that were tried.
+using Tried = std::array<std::optional<double>, kLadder.size()>;
+
+// The first rung from which what is measured passes; kLadder.size() if none. The rung before it, if
+// there is one, has then been measured too.
+Rung firstRung(const std::function<double(int planes)>& measure,
+               const std::function<bool(double measured)>& passes, Tried& tried) {
     Rung low = 0;
     Rung high = kLadder.size();
     while (low < high) {
         const Rung middle = (low + high) / 2;
-        if (holds(kLadder.at(middle))) {
+        tried.at(middle) = measure(kLadder.at(middle));
+        if (passes(*tried.at(middle))) {
             high = middle;
         } else {
             low = middle + 1;
@@ -91,11 +97,14 @@ Rung firstRung(const std::function<bool(int planes)>& holds) {
 
 // The fewest sheets within the error, or the most there are.
 BeamChoice reachError(Trial& trial, BeamMethod method, double errorPercent) {
-    const Rung rung = firstRung(
-        [&](int planes) { return trial.errorPercent(trial.with(method, planes)) <= errorPercent; });
+    Tried errors;
+    const Rung rung =
+        firstRung([&](int planes) { return trial.errorPercent(trial.with(method, planes)); },
+                  [&](double error) { return error <= errorPercent; }, errors);
+    const Rung taken = std::min(rung, kLadder.size() - 1);
     BeamChoice choice;
-    choice.beams = trial.with(method, kLadder.at(std::min(rung, kLadder.size() - 1)));
-    choice.errorPercent = trial.errorPercent(choice.beams);
+    choice.beams = trial.with(method, kLadder.at(taken));
+    choice.errorPercent = errors.at(taken).value();
     choice.beamsMs = trial.beamsMs(choice.beams);
     choice.reached = rung < kLadder.size();
     return choice;
@@ -103,12 +112,15 @@ BeamChoice reachError(Trial& trial, BeamMethod method, double errorPercent) {
 
 // The most sheets within the time, or the fewest there are.
 BeamChoice reachBudget(Trial& trial, BeamMethod method, double budgetMs) {
+    Tried times;
     const Rung rung =
-        firstRung([&](int planes) { return trial.beamsMs(trial.with(method, planes)) > budgetMs; });
+        firstRung([&](int planes) { return trial.beamsMs(trial.with(method, planes)); },
+                  [&](double ms) { return ms > budgetMs; }, times);
+    const Rung taken = std::max<Rung>(rung, 1) - 1;
     BeamChoice choice;
-    choice.beams = trial.with(method, kLadder.at(std::max<Rung>(rung, 1) - 1));
+    choice.beams = trial.with(method, kLadder.at(taken));
     choice.errorPercent = trial.errorPercent(choice.beams);
-    choice.beamsMs = trial.beamsMs(choice.beams);
+    choice.beamsMs = times.at(taken).value();
     choice.reached = rung > 0;
     return choice;
 }

@@ -147,7 +147,7 @@ void measureTimes(Renderer& renderer, const Camera& camera, const MeasureSetting
     record.status = SweepRecord::Status::kMeasured;
     record.frameMs = spreadOf(whole);
     record.passes = spreadPasses(frames);
-    record.samples = renderer.lastPlan().beamSamples();
+    record.samples = renderer.beamSamples();
     record.peakGl = glCounters().peakBytes;
     record.peakRss = peakIsOwn ? readPeakRss() : std::nullopt;
     record.warmups = warmups;

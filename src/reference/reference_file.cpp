@@ -1,9 +1,9 @@
 #include "reference/reference_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -14,9 +14,20 @@
 namespace ribalta {
 namespace {
 
-/// The facts that make a view, in the order in which they are compared.
-constexpr std::array<const char*, 6> kView = {"scene", "size",    "camera",
-                                              "haze",  "ambient", "visibility"};
+struct ViewFact {
+    const char* name;  // in the file
+    std::string ReferenceView::*text;
+};
+
+// In the order in which they are compared.
+constexpr std::array<ViewFact, 6> kView = {{{"scene", &ReferenceView::scene},
+                                            {"size", &ReferenceView::size},
+                                            {"camera", &ReferenceView::camera},
+                                            {"haze", &ReferenceView::haze},
+                                            {"ambient", &ReferenceView::ambient},
+                                            {"visibility", &ReferenceView::visibility}}};
+constexpr const char* kLargestError = "largest_error";
+constexpr const char* kRmsError = "rms_error";
 
 /// With all digits, so that equal texts are equal numbers.
 std::string number(double value) {
@@ -53,29 +64,54 @@ std::string describeHaze(const Haze& haze) {
            number(haze.phase.g) + " K " + number(haze.phase.k);
 }
 
-std::string factOf(const ReferenceFacts& facts, const char* name) {
-    const auto found = facts.find(name);
-    return found == facts.end() ? "" : found->second;
+// Null where the picture does not say so.
+template <typename Value>
+const Value* findFact(const FloatImage& image, const char* name) {
+    const auto found = image.facts.find(name);
+    return found == image.facts.end() ? nullptr : std::get_if<Value>(&found->second);
+}
+
+// Nothing where the picture is no reference.
+std::optional<ReferenceFacts> factsOf(const FloatImage& image) {
+    ReferenceFacts facts;
+    for (const ViewFact& fact : kView) {
+        const auto* text = findFact<std::string>(image, fact.name);
+        if (text == nullptr) {
+            return std::nullopt;
+        }
+        facts.view.*fact.text = *text;
+    }
+    const auto* largest = findFact<double>(image, kLargestError);
+    const auto* rms = findFact<double>(image, kRmsError);
+    if (largest == nullptr || rms == nullptr) {
+        return std::nullopt;
+    }
+    facts.largestError = *largest;
+    facts.rmsError = *rms;
+    return facts;
 }
 
 }  // namespace
 
-ReferenceFacts describeReference(const std::string& scene, const ReferenceSettings& settings) {
-    return {{"scene", oneLine(scene)},
-            {"size", std::to_string(settings.width) + "x" + std::to_string(settings.height)},
-            {"camera", describeCamera(settings.camera)},
-            {"haze", describeHaze(settings.haze)},
-            {"ambient", number(settings.ambientLux)},
-            {"visibility", settings.drawn == nullptr ? "geometry" : "shadow-map"}};
+ReferenceView describeReference(const std::string& scene, const ReferenceSettings& settings) {
+    return {oneLine(scene),
+            std::to_string(settings.width) + "x" + std::to_string(settings.height),
+            describeCamera(settings.camera),
+            describeHaze(settings.haze),
+            number(settings.ambientLux),
+            settings.drawn == nullptr ? "geometry" : "shadow-map"};
 }
 
 FloatImage referenceImage(const ReferencePicture& picture, const ReferenceSettings& settings,
-                          ReferenceFacts facts, const ReferenceLayers& layers) {
-    facts["error"] = "largest " + number(picture.largestError) + " rms " + number(picture.rmsError);
+                          const ReferenceView& view, const ReferenceLayers& layers) {
     FloatImage image;
     image.width = picture.width;
     image.height = picture.height;
-    image.facts = std::move(facts);
+    for (const ViewFact& fact : kView) {
+        image.facts[fact.name] = view.*fact.text;
+    }
+    image.facts[kLargestError] = picture.largestError;
+    image.facts[kRmsError] = picture.rmsError;
     image.channels = {"R", "G", "B", "beams.R", "beams.G", "beams.B"};
     if (layers.transmittance) {
         image.channels.insert(image.channels.end(),
@@ -113,23 +149,24 @@ FloatImage referenceImage(const ReferencePicture& picture, const ReferenceSettin
     return image;
 }
 
-FloatImage readReference(const std::filesystem::path& path, const ReferenceFacts& wanted) {
+ReferenceFile readReference(const std::filesystem::path& path, const ReferenceView& wanted) {
     FloatImage image = readFloatImage(path);
     const Place place{path.string(), ""};
-    if (factOf(image.facts, "visibility").empty()) {
+    const std::optional<ReferenceFacts> facts = factsOf(image);
+    if (!facts) {
         throw Error(ErrorKind::kBadInput, place,
                     "is no reference; draw one with ribalta reference SCENE -o FILE.exr");
     }
-    const auto* const differs = std::find_if(kView.begin(), kView.end(), [&](const char* name) {
-        return factOf(image.facts, name) != factOf(wanted, name);
-    });
-    if (differs != kView.end()) {
-        throw Error(ErrorKind::kBadInput, place,
-                    std::string("is a reference of another ") + *differs + " (" +
-                        factOf(image.facts, *differs) + "; expected " + factOf(wanted, *differs) +
-                        "); draw it anew with ribalta reference");
+    for (const ViewFact& fact : kView) {
+        const std::string& found = facts->view.*fact.text;
+        const std::string& expected = wanted.*fact.text;
+        if (found != expected) {
+            throw Error(ErrorKind::kBadInput, place,
+                        std::string("is a reference of another ") + fact.name + " (" + found +
+                            "; expected " + expected + "); draw it anew with ribalta reference");
+        }
     }
-    return image;
+    return {std::move(image), *facts};
 }
 
 }  // namespace ribalta

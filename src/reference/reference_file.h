@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "image/image.h"
@@ -11,13 +10,31 @@
 
 namespace ribalta {
 
-/// What a reference was drawn of and how, by name: "scene", "size", "camera", "haze", "ambient",
-/// "visibility" must be equal for two pictures to be of the same view; "error" and "version" tell
-/// of the reference itself. As text, numbers with all their digits.
-using ReferenceFacts = std::map<std::string, std::string>;
+/// What a reference was drawn of and how. Two pictures are of the same view where all of these are
+/// equal: numbers stand in the texts with all their digits.
+struct ReferenceView {
+    std::string scene;  ///< the file's name without its folders
+    std::string size;   ///< WxH
+    std::string camera;
+    std::string haze;
+    std::string ambient;
+    std::string visibility;  ///< "geometry" or "shadow-map"
+};
+
+/// What a reference says of itself.
+struct ReferenceFacts {
+    ReferenceView view;
+    double largestError = 0.0;  ///< as ReferencePicture has them
+    double rmsError = 0.0;
+};
+
+struct ReferenceFile {
+    FloatImage image;
+    ReferenceFacts facts;
+};
 
 /// What is known before anything is drawn. `scene` is the file's name without its folders.
-ReferenceFacts describeReference(const std::string& scene, const ReferenceSettings& settings);
+ReferenceView describeReference(const std::string& scene, const ReferenceSettings& settings);
 
 /// Layers besides R, G, B and beams.R, .G, .B.
 struct ReferenceLayers {
@@ -25,13 +42,13 @@ struct ReferenceLayers {
     bool depth = false;          ///< Z
 };
 
-/// The picture as `ribalta render` writes one, with its facts, the error reached among them.
+/// The picture as `ribalta render` writes one, with the facts of it.
 FloatImage referenceImage(const ReferencePicture& picture, const ReferenceSettings& settings,
-                          ReferenceFacts facts, const ReferenceLayers& layers);
+                          const ReferenceView& view, const ReferenceLayers& layers);
 
 /// Reads a reference that must be of the view that `wanted` describes. Throws Error(kBadInput) that
-/// names the file and the first fact that differs, and how to draw it anew, or says that the
+/// names the file and the first thing that differs, and how to draw it anew, or says that the
 /// picture is no reference.
-FloatImage readReference(const std::filesystem::path& path, const ReferenceFacts& wanted);
+ReferenceFile readReference(const std::filesystem::path& path, const ReferenceView& wanted);
 
 }  // namespace ribalta

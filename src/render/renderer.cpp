@@ -116,6 +116,15 @@ std::optional<gpu::RunCounts> Renderer::runCounts() const {
                                                                  : clippedBeams_->runCounts();
 }
 
+std::uint64_t Renderer::beamSamples() const {
+    if (!plan_.beams || plan_.kept || plan_.beams->settings.method != BeamMethod::kAdaptive) {
+        return plan_.beamSamples();
+    }
+    return std::uint64_t(plan_.beams->settings.planes) *
+           adaptiveBeams_->sampledPixelLamps(*plan_.beams,
+                                             {plan_.settings.width, plan_.settings.height});
+}
+
 std::optional<double> Renderer::ev100() const {
     return plan_.tonemap ? std::optional<double>(exposure_->ev100()) : std::nullopt;
 }

@@ -52,6 +52,10 @@ class Renderer {
     /// FrameSettings::countRuns not set.
     std::optional<gpu::RunCounts> runCounts() const;
 
+    /// Light samples that the beams of the last frame took, sheets * pixels * lamps. Of `adaptive`
+    /// only the GPU knows which pixels those were: waits for it.
+    std::uint64_t beamSamples() const;
+
     /// The layers that the last plan's lamps name; empty where no lamp has casters.
     const Texture2D& shadowMaps() const;
     /// Their pyramid; empty until a frame has used one.

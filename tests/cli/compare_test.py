@@ -111,6 +111,14 @@ class Refused(CommandTest):
         self.refused(USAGE, ["--max-display"], "a.png", "a.png", "--max-relative=1")
         self.refused(JOB_FAILED, ["no/d.png"], "a.png", "a.png", "-o", "no/d.png")
 
+    def test_outputs_replace_no_input(self):
+        before = (self.folder / "a.png").read_bytes()
+        (self.folder / "link.png").symlink_to("a.png")
+        for output in ["a.png", "./a.png", "link.png"]:
+            self.refused(USAGE, [output, "replaced"], "a.png", "a.png", "-o", output)
+        self.refused(USAGE, ["a.exr", "replaced"], "a.exr", "a.exr", "--json", "a.exr")
+        self.assertEqual((self.folder / "a.png").read_bytes(), before)
+
     def test_limits(self):
         self.write("c.png", make_png(6, 4, (210, 100, 50)))
         self.refused(JOB_FAILED, ["more than is allowed", "RMSE", "PSNR"], "a.png", "c.png",

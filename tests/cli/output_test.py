@@ -1,13 +1,15 @@
 """What a render writes: pictures of any size, all of it or nothing, statistics of a fixed shape."""
 
 import json
+import re
 import resource
 import signal
 import subprocess
 import time
 import unittest
 
-from command import (JOB_FAILED, PROGRAM, SCENES, CommandTest, make_floor, read_png)
+from command import (JOB_FAILED, PROGRAM, SCENES, USAGE, CommandTest, add_texture, make_floor,
+                     make_png, read_png)
 
 
 class Pictures(CommandTest):
@@ -47,6 +49,15 @@ class Pictures(CommandTest):
             for word in words:
                 self.assertIn(word, result.stderr)
 
+    def test_what_auto_tried_is_not_counted(self):
+        scene = SCENES / "one_lamp.glb"
+        small = ["render", scene, "--size", "48x27", "--exposure", "8", "--stats", "a.json"]
+        told = self.expect_done(*small, "--beams", "auto", "--error", "2%").stderr
+        method, sheets = re.search(r"auto took (\S+) with (\d+) sheets", told).groups()
+        counters = json.loads((self.folder / "a.json").read_text())["counters"]
+        self.expect_done(*small, "--beams", method, "--planes", sheets)
+        self.assertEqual(counters, json.loads((self.folder / "a.json").read_text())["counters"])
+
     def test_options_of_planes(self):
         self.render("--size", "32x18", "-o", "a.png", "--beams=planes", "--planes=8", "--cells=4x4",
                     "--K=20", "--dt=0.5", "--phase=gibbons")
@@ -58,6 +69,27 @@ class Pictures(CommandTest):
         total = {name: sum(map(sum, read_png(self.folder / name)[2]))
                  for name in ["bright.png", "dark.png"]}
         self.assertGreater(total["bright.png"], 2 * total["dark.png"])
+
+    def test_what_a_scene_is_made_of_is_not_replaced(self):
+        picture = make_png(4, 4)
+        self.write("gobo 1.png", picture)
+        self.write("wall.exr", b"no picture, but the scene's")
+        scene = add_texture(make_floor(), "gobo%201.png")
+        self.write_scene("own.gltf", scene)
+        for output in ["gobo 1.png", "./gobo 1.png"]:
+            self.expect_error(USAGE, ["gobo 1.png", "replaced"], "render", "own.gltf", "-o", output)
+        self.assertEqual((self.folder / "gobo 1.png").read_bytes(), picture)
+        scene["nodes"][-1]["extras"] = {"light_map": "wall.exr"}
+        self.write_scene("own.gltf", scene)
+        for command in ["render", "reference"]:
+            self.expect_error(USAGE, ["wall.exr", "replaced"], command, "own.gltf", "-o",
+                              "wall.exr")
+
+    def test_infinite_light_is_told_of(self):
+        errors = self.render("--size", "8x8", "-o", "a.exr", "--K", "1e38").stderr
+        self.assertRegex(errors, r"warning: a.exr: \d+ of 64 pixels hold more light")
+        errors = self.render("--size", "8x8", "-o", "a.exr", "--aov=depth").stderr
+        self.assertEqual(errors, "")  # the depth of the background is infinite
 
     def test_same_command_same_picture(self):
         for name in ["a.png", "b.png"]:

@@ -74,7 +74,7 @@ class WrongUsage(CommandTest):
         self.refuse(["0x5", "1..16384"], *output, "--size=0x5")
         self.refuse(["geometry", "shadow-map"], *output, "--visibility=raster")
         self.refuse(["transmittance", "depth"], *output, "--aov=normal")
-        self.refuse(["--ambient", "0 or above"], *output, "--ambient=-1")
+        self.refuse(["--ambient", "0..1e9"], *output, "--ambient=-1")
         self.refuse(["--K", "gibbons"], *output, "--K=2", "--phase=rayleigh")
 
     def test_outputs(self):

@@ -176,9 +176,27 @@ class Failures(SweepTest):
         records = list(self.records().values())
         self.assertEqual([each["status"] for each in records], ["failed", "measured"])
         self.assertIn("broken.gltf", records[0]["message"])
+        told = self.expect_error(JOB_FAILED, ["2 of 4 points"], "sweep", "broken.gltf", "floor.gltf",
+                                 "-o", "out", *QUICK, "--planes=4,5", "--beams=clipped")
+        self.assertEqual(told.count("broken.gltf"), 1, told)
         self.assertIn("failed", (self.folder / "out/report.html").read_text())
         # Alone it is an error like any other.
         self.expect_error(BAD_INPUT, ["broken.gltf"], "sweep", "broken.gltf", "-o", "b", *QUICK)
+
+    def test_records_can_be_told_apart(self):
+        (self.folder / "other").mkdir()
+        shutil.copy(self.folder / "floor.gltf", self.folder / "other/floor.gltf")
+        for second in ["floor.gltf", "other/floor.gltf"]:
+            self.expect_error(USAGE, [second, "'floor'", "rename"], "sweep", "floor.gltf", second,
+                              "-o", "out", *QUICK)
+        # What is asked for twice is measured once, and cameras of one name are two.
+        scene = make_floor()
+        add_node(scene, name="side", camera=0, translation=[0, 3, 7])
+        self.write_scene("floor.gltf", scene)
+        self.sweep("--size=16x9,16x9", "--repeat=1", "--warmup=0", "--planes=4,4", "--beams=clipped,clipped",
+                   "--camera=side", "--camera=0", "--camera=all")
+        self.assertEqual(sorted(self.records()), ["floor/side#0/16x9/clipped/4",
+                                                  "floor/side#1/16x9/clipped/4"])
 
     def test_a_reference_of_another_view_is_refused(self):
         self.sweep(*QUICK, "--planes=2", "--beams=clipped", "--camera=all")

@@ -76,7 +76,7 @@ class WrongUsage(CommandTest):
     def test_numbers(self):
         for option, wrong in [("--planes", ["0", "-1", "x", "1.5", "65537"]),
                               ("--repeat", ["0", "x"]), ("--K", ["0", "-1", "nan", "x"]),
-                              ("--dt", ["0", "inf", "x"]), ("--ambient", ["-1", "nan", "x"]),
+                              ("--dt", ["0", "inf", "x"]), ("--ambient", ["-1", "nan", "x", "1e10"]),
                               ("--exposure", ["bright", "61", "nan"]),
                               ("--cells", ["3", "0x1", "1025x1"])]:
             for text in wrong:

@@ -227,6 +227,31 @@ TEST_F(Skipping, TheSecondFrameMakesNothingNew) {
     EXPECT_EQ(readBack(renderer).image.values, first.image.values);
 }
 
+TEST_F(Skipping, AdaptiveTellsHowManySamplesItTook) {
+    settings_.width = 64;  // whole tiles
+    settings_.height = 48;
+    Renderer renderer(scene_);
+    renderer.draw(camera_, settings_);
+    const std::uint64_t atEveryPixel = renderer.beamSamples();
+    EXPECT_EQ(atEveryPixel, renderer.lastPlan().beamSamples());
+
+    settings_.beams.method = BeamMethod::kAdaptive;
+    std::uint64_t before = atEveryPixel + 1;
+    for (const double tolerance : {0.0, 0.001, 1.0}) {
+        settings_.beams.tolerance = tolerance;
+        renderer.draw(camera_, settings_);
+        const std::uint64_t samples = renderer.beamSamples();
+        EXPECT_LT(samples, before) << tolerance;
+        before = samples;
+        if (tolerance == 0.0) {
+            EXPECT_EQ(samples, atEveryPixel);
+        }
+    }
+    EXPECT_GE(before, atEveryPixel / 16) << "the lattice itself";
+    renderer.draw(camera_, settings_);
+    EXPECT_EQ(renderer.beamSamples(), 0U) << "a picture that is kept";
+}
+
 TEST_F(Skipping, AFrameInWhichNothingChangedDrawsNothing) {
     settings_.display = true;
     Renderer renderer(scene_);

@@ -63,7 +63,7 @@ void BeamOptions::addTo(CLI::App& command) {
                     "with adaptive: how far a pixel may be off by interpolation, as a share of "
                     "the screen's full scale, 0..1 (default: 0.4 / planes)")
         ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0).description(""));
+        ->check(expectShare, "");
     command
         .add_option("--cells", cells,
                     "with planes: cells, 1..1024 each way, on whose corners the smooth factor is "

@@ -22,6 +22,7 @@
 #include "measure/error_picture.h"
 #include "measure/picture_error.h"
 #include "options.h"
+#include "output_checks.h"
 #include "parse_number.h"
 
 namespace ribalta {
@@ -197,9 +198,11 @@ void compare(const CompareOptions& options) {
             throw Error(ErrorKind::kUsage, {options.output, ""},
                         "a difference picture is written as .png");
         }
+        refuseReplacing(options.output, {options.a, options.b});
         const TemporaryFile probe(options.output);
     }
     if (!options.json.empty() && options.json != "-") {
+        refuseReplacing(options.json, {options.a, options.b});
         const TemporaryFile probe(options.json);
     }
     const Comparison found = compareFiles(options);

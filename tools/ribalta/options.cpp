@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMaxSide = 16384;
 constexpr int kMaxCells = 1024;
+constexpr double kMaxLux = 1e9;
 
 PictureSize parsePair(const char* option, const std::string& text, int limit) {
     const std::size_t cross = text.find('x');
@@ -45,9 +46,9 @@ void addSizeOption(CLI::App& command, std::string& size) {
 }
 
 void addAmbientOption(CLI::App& command, double& lux) {
-    command.add_option("--ambient", lux, "even light from all around, in lux")
+    command.add_option("--ambient", lux, "even light from all around in lux, 0..1e9")
         ->type_name("LUX")
-        ->check(expectNotNegative, "")
+        ->check(expectLux, "")
         ->capture_default_str();
 }
 
@@ -116,6 +117,18 @@ std::string expectNotNegative(const std::string& text) {
     return parseNumber<double>(text).value_or(-1.0) >= 0.0
                ? ""
                : "'" + text + "' is not a number, 0 or above";
+}
+
+std::string expectShare(const std::string& text) {
+    const double value = parseNumber<double>(text).value_or(-1.0);
+    return value >= 0.0 && value <= 1.0 ? "" : "'" + text + "' is not a number in 0..1";
+}
+
+std::string expectLux(const std::string& text) {
+    const double value = parseNumber<double>(text).value_or(-1.0);
+    return value >= 0.0 && value <= kMaxLux
+               ? ""
+               : "'" + text + "' is not an illuminance in lux, 0..1e9 (the sun's is 1e5)";
 }
 
 Camera chooseCamera(const Scene& scene, const std::optional<std::string>& nameOrIndex,

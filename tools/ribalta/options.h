@@ -45,6 +45,9 @@ std::optional<double> parseExposure(const std::string& text);
 /// otherwise what was expected.
 std::string expectPositive(const std::string& text);
 std::string expectNotNegative(const std::string& text);
+/// The same for a number in 0..1, and for an even light in lux.
+std::string expectShare(const std::string& text);
+std::string expectLux(const std::string& text);
 
 /// The camera of that name or index (from 0); without a text the first one, or one that frames the
 /// scene where the file has none. Throws Error(kUsage) that says which there are.

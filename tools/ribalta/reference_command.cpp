@@ -18,6 +18,7 @@
 #include "image/write_image.h"
 #include "load_scene.h"
 #include "options.h"
+#include "output_checks.h"
 #include "parse_number.h"
 #include "reference/reference_file.h"
 #include "reference/reference_picture.h"
@@ -102,6 +103,7 @@ void drawReferenceFile(const ReferenceOptions& options) {
     checkOutput(options.output);
 
     const LoadedScene loaded = loadScene(options.scene);
+    refuseReplacing(options.output, loaded.files);
     settings.camera = chooseCamera(loaded.scene, options.camera, double(size.width) / size.height);
 
     const Clock::time_point start = Clock::now();
@@ -115,10 +117,12 @@ void drawReferenceFile(const ReferenceOptions& options) {
     std::optional<Progress> progress(std::in_place, "tracing", std::size_t(size.height));
     const ReferencePicture picture = drawReference(loaded.scene, settings, &*progress);
     progress.emplace("writing");
-    ReferenceFacts facts =
+    const ReferenceView view =
         describeReference(std::filesystem::path(options.scene).filename().string(), settings);
-    facts["version"] = RIBALTA_VERSION;
-    writeExr(options.output, referenceImage(picture, settings, std::move(facts), layers));
+    FloatImage image = referenceImage(picture, settings, view, layers);
+    image.facts["version"] = RIBALTA_VERSION;
+    warnOfNonFinite(image, options.output);
+    writeExr(options.output, image);
     progress.reset();
     tellOfResult(picture, std::chrono::duration<double>(Clock::now() - start).count(),
                  options.error);

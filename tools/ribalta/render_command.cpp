@@ -16,6 +16,7 @@
 #include "haze_options.h"
 #include "load_scene.h"
 #include "options.h"
+#include "output_checks.h"
 #include "render/renderer.h"
 #include "render_outputs.h"
 #include "render_stats.h"
@@ -71,7 +72,8 @@ std::uint64_t peakMemory() {
 }
 
 RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& camera,
-                       const FrameSettings& settings, const RenderOptions& options) {
+                       const FrameSettings& settings, const RenderOptions& options,
+                       const GlCounters& before) {
     RenderStats stats;
     Progress progress("drawing", std::size_t(options.repeat));
     for (int i = 0; i < options.repeat; ++i) {
@@ -95,20 +97,22 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
         progress.step();
     }
     countPlan(renderer.lastPlan(), scene, stats);
-    stats.drawCalls = glCounters().drawCalls;
-    stats.programsBuilt = glCounters().programsBuilt;
-    stats.texturesMade = glCounters().texturesMade;
+    stats.drawCalls = glCounters().drawCalls - before.drawCalls;
+    stats.programsBuilt = glCounters().programsBuilt - before.programsBuilt;
+    stats.texturesMade = glCounters().texturesMade - before.texturesMade;
     stats.ev100 = renderer.ev100();
     return stats;
 }
 
-// What `auto` comes to, and says so.
-BeamSettings chooseAndTell(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
+// What `auto` comes to, and says so. Tried with a renderer of its own, so that the picture is drawn
+// and counted as if its method had been asked for by name.
+BeamSettings chooseAndTell(const Scene& scene, const Camera& camera, const FrameSettings& settings,
                            const BeamGoal& goal) {
     BeamChoice choice;
     {
         const Progress progress("choosing how to draw the beams");
-        choice = chooseBeams(renderer, camera, settings, goal);
+        Renderer trial(scene);
+        choice = chooseBeams(trial, camera, settings, goal);
     }
     char took[128];
     std::snprintf(took, sizeof took, "beams: auto took %s with %d sheets: %.3g ms, error %.2g %%",
@@ -153,6 +157,9 @@ void render(const RenderOptions& options) {
     checkOutputs(outputs);
 
     const LoadedScene loaded = loadScene(options.scene);
+    for (const std::filesystem::path& output : outputs.files) {
+        refuseReplacing(output, loaded.files);
+    }
     const Camera camera = chooseCamera(loaded.scene, options.camera,
                                        double(settings.width) / double(settings.height));
 
@@ -161,16 +168,17 @@ void render(const RenderOptions& options) {
     logVerbose("OpenGL: " + context.renderer() + ", " + context.version() +
                (context.isSoftware() ? " (software; no GPU found)" : ""));
     const double contextMs = msSince(start);
+    if (const std::optional<BeamGoal> goal = options.beams.goal()) {
+        settings.beams = chooseAndTell(loaded.scene, camera, settings, *goal);
+    }
+    const GlCounters before = glCounters();
     start = Clock::now();
     std::optional<Progress> progress(std::in_place, "uploading");
     Renderer renderer(loaded.scene);
     progress.reset();
     const double uploadMs = msSince(start);
 
-    if (const std::optional<BeamGoal> goal = options.beams.goal()) {
-        settings.beams = chooseAndTell(renderer, camera, settings, *goal);
-    }
-    RenderStats stats = drawFrames(renderer, loaded.scene, camera, settings, options);
+    RenderStats stats = drawFrames(renderer, loaded.scene, camera, settings, options, before);
     if (renderer.lastPlan().lampsWithoutShadow > 0) {
         logWarning(std::to_string(renderer.lastPlan().lampsWithoutShadow) +
                    " lamps cast no shadows: more lamps have casters than there are shadow maps");
@@ -181,6 +189,9 @@ void render(const RenderOptions& options) {
     stats.load.push_back({"upload", uploadMs});
     stats.peakBytes = peakMemory();
 
+    if (!options.stats.empty()) {
+        stats.samples = renderer.beamSamples();
+    }
     if (!options.stats.empty() && renderer.lastPlan().beams &&
         renderer.lastPlan().beams->shadowPyramid) {
         // In a frame of its own, of the same picture: counting takes time.

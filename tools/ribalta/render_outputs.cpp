@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/temporary_file.h"
 #include "image/write_image.h"
+#include "output_checks.h"
 
 namespace ribalta {
 namespace {
@@ -100,6 +101,7 @@ void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan,
         }
         if (!frame) {
             frame = readFrame(plan, targets, outputs.layers);
+            warnOfNonFinite(*frame, file);
         }
         writeExr(file, *frame);
     }

@@ -75,7 +75,6 @@ void countPlan(const FramePlan& plan, const Scene& scene, RenderStats& stats) {
     stats.shadowMapsNeedless = plan.shadowMapsNeedless;
     stats.castersDrawn = plan.castersDrawn;
     stats.castersCulled = plan.castersCulled;
-    stats.samples = plan.beamSamples();
 }
 
 std::string describeTimes(const RenderStats& stats) {

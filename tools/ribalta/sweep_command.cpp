@@ -84,6 +84,7 @@ std::vector<std::string> visibilitiesFrom(const std::string& text) {
 }
 
 std::vector<SweepScene> loadScenes(const std::vector<std::string>& paths) {
+    refuseNamesakes(paths);
     std::vector<SweepScene> scenes;
     for (const std::string& path : paths) {
         scenes.push_back(loadSweepScene(path));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -76,12 +77,18 @@ struct NamedCamera {
     Camera camera;
 };
 
+// Records tell cameras by it, so where several have one name each gets its number too.
 std::string cameraName(const Scene& scene, std::size_t index) {
     const std::string& name = scene.cameras[index].name;
-    return name.empty() ? std::to_string(index) : oneLine(name);
+    if (name.empty()) {
+        return std::to_string(index);
+    }
+    const auto namesakes = std::count_if(scene.cameras.begin(), scene.cameras.end(),
+                                         [&](const Camera& camera) { return camera.name == name; });
+    return oneLine(name) + (namesakes > 1 ? "#" + std::to_string(index) : "");
 }
 
-// The wanted cameras that the scene has; `found` notes which of the wanted there were.
+// The wanted cameras that the scene has, each once; `found` notes which of the wanted there were.
 std::vector<NamedCamera> camerasOf(const Scene& scene, const std::vector<std::string>& wanted,
                                    double aspectRatio, std::set<std::string>& found) {
     std::vector<NamedCamera> cameras;
@@ -89,11 +96,14 @@ std::vector<NamedCamera> camerasOf(const Scene& scene, const std::vector<std::st
         const Camera camera = chooseCamera(scene, std::nullopt, aspectRatio);
         return {{scene.cameras.empty() ? "framed" : cameraName(scene, 0), camera}};
     }
+    std::set<std::size_t> taken;
     for (const std::string& name : wanted) {
         for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
             if (name == "all" || scene.cameras[i].name == name || std::to_string(i) == name) {
-                cameras.push_back({cameraName(scene, i), scene.cameras[i]});
                 found.insert(name);
+                if (taken.insert(i).second) {
+                    cameras.push_back({cameraName(scene, i), scene.cameras[i]});
+                }
             }
         }
     }
@@ -193,7 +203,9 @@ std::vector<double> parseTolerances(const std::string& text) {
         if (!tolerance || !(*tolerance >= 0.0 && *tolerance <= 1.0)) {
             throw CLI::ValidationError("--tolerance", "'" + part + "' is not a number in 0..1");
         }
-        tolerances.push_back(*tolerance);
+        if (std::find(tolerances.begin(), tolerances.end(), *tolerance) == tolerances.end()) {
+            tolerances.push_back(*tolerance);
+        }
     }
     return tolerances;
 }
@@ -201,9 +213,28 @@ std::vector<double> parseTolerances(const std::string& text) {
 std::vector<PictureSize> parseSizes(const std::string& text) {
     std::vector<PictureSize> sizes;
     for (const std::string& part : split(text, ',')) {
-        sizes.push_back(parseSize(part));
+        const PictureSize size = parseSize(part);
+        const bool isNew = std::none_of(sizes.begin(), sizes.end(), [&](const PictureSize& other) {
+            return other.width == size.width && other.height == size.height;
+        });
+        if (isNew) {
+            sizes.push_back(size);
+        }
     }
     return sizes;
+}
+
+void refuseNamesakes(const std::vector<std::string>& paths) {
+    std::set<std::string> names;
+    for (const std::string& path : paths) {
+        const std::string name = std::filesystem::path(path).stem().string();
+        if (!names.insert(name).second) {
+            throw Error(
+                ErrorKind::kUsage, {path, ""},
+                "is the second scene called '" + name +
+                    "', and records tell scenes by their names; give it once, or rename it");
+        }
+    }
 }
 
 SweepScene loadSweepScene(const std::string& path) {

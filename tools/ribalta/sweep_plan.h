@@ -20,10 +20,10 @@ std::vector<int> parsePlaneCounts(const std::string& text);
 /// Methods of "all" or of names by comma. Throws CLI::ValidationError that lists them.
 std::vector<BeamMethod> parseMethods(const std::string& text);
 
-/// Tolerances by comma, each 0..1; none of an empty text. Throws CLI::ValidationError.
+/// Tolerances by comma, 0..1, each once; none of an empty text. Throws CLI::ValidationError.
 std::vector<double> parseTolerances(const std::string& text);
 
-/// Sizes by comma, as parseSize.
+/// Sizes by comma, as parseSize, each once.
 std::vector<PictureSize> parseSizes(const std::string& text);
 
 /// A scene of a sweep, loaded or not.
@@ -33,6 +33,9 @@ struct SweepScene {
     std::optional<LoadedScene> loaded;  ///< none: it cannot be used
     std::string wrong;                  ///< why not
 };
+
+/// Throws Error(kUsage) where two scenes go by one name: their records could not be told apart.
+void refuseNamesakes(const std::vector<std::string>& paths);
 
 /// Loads it; what is wrong with it is kept for its records.
 SweepScene loadSweepScene(const std::string& path);

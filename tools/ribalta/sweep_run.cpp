@@ -125,6 +125,20 @@ void makeFolder(const std::filesystem::path& folder) {
     }
 }
 
+void tellOfPoint(const SweepRecord& record) {
+    const std::string point = record.point.name() + ": ";
+    if (record.status == SweepRecord::Status::kFailed) {
+        logWarning(point + name(record.status) + ": " + record.message);
+    } else if (!record.message.empty() || record.status != SweepRecord::Status::kMeasured) {
+        logVerbose(point + name(record.status) + ": " + record.message);
+    } else {
+        char times[96];
+        std::snprintf(times, sizeof times, "%.2f ms, beams %.2f ms", record.frameMs.median,
+                      record.beamsMs());
+        logVerbose(point + times);
+    }
+}
+
 }  // namespace
 
 SweepRun::SweepRun(SweepPlan plan, SweepSettings settings, const Context& context)
@@ -165,7 +179,7 @@ std::string SweepRun::keyOf(const PlannedPoint& planned) const {
     hash.add(plan_.scenes[planned.scene].hash);
     hash.add(json.at("name").get<std::string>());
     hash.add(json.at("settings").dump());
-    hash.add(describeReference("", referenceSettings(planned)).at("camera"));
+    hash.add(describeReference("", referenceSettings(planned)).camera);
     hash.add(std::to_string(settings_.measure.warmups));
     hash.add(std::to_string(settings_.measure.repeats));
     for (const std::string& visibility : settings_.visibilities) {
@@ -347,6 +361,7 @@ void SweepRun::runPoint(Renderer& renderer, const SweepView& view, const std::st
         record.reference = reference;
         showLight(renderer, view, planned, record);
     }
+    tellOfPoint(record);
     finishPoint(index, std::move(record));
 }
 
@@ -383,34 +398,31 @@ void SweepRun::showLight(Renderer& renderer, const SweepView& view, const Planne
     }
 }
 
+// All points of a range, for one reason that is said once.
 void SweepRun::fail(const Range& range, const std::string& why) {
+    std::vector<std::size_t> pending;
     for (std::size_t i = range.first; i < range.second; ++i) {
         if (isPending(i)) {
-            SweepRecord record;
-            record.point = plan_.points[i].point;
-            record.message = oneLine(why);
-            record.maxPointSeconds = settings_.measure.maxPointSeconds;
-            finishPoint(i, std::move(record));
+            pending.push_back(i);
         }
+    }
+    if (pending.empty()) {
+        return;
+    }
+    const std::string others =
+        pending.size() > 1 ? " and " + std::to_string(pending.size() - 1) + " more" : "";
+    logWarning(plan_.points[pending.front()].point.name() + others + ": failed: " + oneLine(why));
+    for (const std::size_t i : pending) {
+        SweepRecord record;
+        record.point = plan_.points[i].point;
+        record.message = oneLine(why);
+        record.maxPointSeconds = settings_.measure.maxPointSeconds;
+        finishPoint(i, std::move(record));
     }
 }
 
 void SweepRun::finishPoint(std::size_t index, SweepRecord record) {
     record.key = keys_[index];
-    if (record.status != SweepRecord::Status::kMeasured || !record.message.empty()) {
-        const std::string line =
-            record.point.name() + ": " + name(record.status) + ": " + record.message;
-        if (record.status == SweepRecord::Status::kFailed) {
-            logWarning(line);
-        } else {
-            logVerbose(line);
-        }
-    } else {
-        char line[160];
-        std::snprintf(line, sizeof line, "%s: %.2f ms, beams %.2f ms", record.point.name().c_str(),
-                      record.frameMs.median, record.beamsMs());
-        logVerbose(line);
-    }
     records_[index] = std::move(record);
     done_[index] = true;
     writeResults();

@@ -267,9 +267,14 @@ FloatImage decodeFloatWithOiio(std::span<const std::byte> encoded, ImageFormat f
     image.values = readChannels<float>(picture, TypeDesc::FLOAT, 0, spec.nchannels, limits);
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
         const std::string name = attribute.name().string();
-        if (attribute.type() == TypeDesc::STRING && name.starts_with(kFactPrefix)) {
-            image.facts.emplace(name.substr(std::string_view(kFactPrefix).size()),
-                                attribute.get_string());
+        if (!name.starts_with(kFactPrefix)) {
+            continue;
+        }
+        const std::string fact = name.substr(std::string_view(kFactPrefix).size());
+        if (attribute.type() == TypeDesc::STRING) {
+            image.facts.emplace(fact, attribute.get_string());
+        } else if (attribute.type() == TypeDesc::DOUBLE) {
+            image.facts.emplace(fact, attribute.get<double>());
         }
     }
     return image;

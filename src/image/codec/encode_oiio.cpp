@@ -1,5 +1,6 @@
 #include <memory>
 #include <stdexcept>
+#include <variant>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -43,8 +44,12 @@ std::vector<unsigned char> encodeExr(const FloatImage& image) {
                    TypeDesc::FLOAT);
     spec.channelnames = image.channels;
     spec.attribute("compression", "zip");
-    for (const auto& [name, text] : image.facts) {
-        spec.attribute(kFactPrefix + name, text);
+    for (const auto& [name, fact] : image.facts) {
+        if (const auto* number = std::get_if<double>(&fact)) {
+            spec.attribute(kFactPrefix + name, TypeDesc::DOUBLE, number);
+        } else {
+            spec.attribute(kFactPrefix + name, std::get<std::string>(fact));
+        }
     }
     return encode("openexr", spec, TypeDesc::FLOAT, image.values.data());
 }

@@ -1,6 +1,7 @@
 #include "render/passes/beams_adaptive.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include <shared/slots.h>
 
@@ -33,6 +34,17 @@ void beginList(Buffer& list, const char* name, GLuint slot, std::size_t squares)
     list.reserve(name, sizeof head + squares * sizeof(gpu::BeamSquare));
     list.write(name, std::as_bytes(std::span(&head, 1)));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot, list.name());
+}
+
+// What the GPU put into a list.
+std::vector<gpu::BeamSquare> readList(const Buffer& list) {
+    gpu::SampledHead head{};
+    list.read(std::as_writable_bytes(std::span(&head, 1)));
+    std::vector<std::byte> bytes(sizeof head + head.count * sizeof(gpu::BeamSquare));
+    list.read(bytes);
+    std::vector<gpu::BeamSquare> squares(head.count);
+    std::memcpy(squares.data(), bytes.data() + sizeof head, bytes.size() - sizeof head);
+    return squares;
 }
 
 void clear(const Texture2D& map) {
@@ -127,6 +139,25 @@ void AdaptiveBeamsPass::fillPicture(const BeamsWork& work, const Programs& progr
     dispatchForList(sampledQuads_);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
                     GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+std::uint64_t AdaptiveBeamsPass::sampledPixelLamps(const BeamsWork& work,
+                                                   glm::ivec2 picture) const {
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::uint64_t sum = 0;
+    for (const gpu::BeamSquare& tile : work.tiles.tiles) {
+        sum += std::uint64_t(gpu::kTileCells) * std::uint64_t(tile.place.w);
+    }
+    for (const gpu::BeamSquare& cell : readList(sampledCells_)) {
+        sum += std::uint64_t(gpu::kNewPoints) * std::uint64_t(cell.place.w);
+    }
+    for (const gpu::BeamSquare& quad : readList(sampledQuads_)) {
+        // Its first pixel is a point of the finer lattice; some of the others may lie outside.
+        const glm::ivec2 first = glm::ivec2(quad.place) * gpu::kFineStep;
+        const glm::ivec2 pixels = glm::min(picture - first, glm::ivec2(gpu::kFineStep));
+        sum += std::uint64_t(pixels.x * pixels.y - 1) * std::uint64_t(quad.place.w);
+    }
+    return sum;
 }
 
 void AdaptiveBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,

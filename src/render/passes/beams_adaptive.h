@@ -3,6 +3,7 @@
 // Compute shaders but for the interpolation.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ class AdaptiveBeamsPass {
               const FrameTargets& targets);
     /// Of the last draw, which was told to count them.
     gpu::RunCounts runCounts() const { return inputs_.runCounts(); }
+    /// Of the last draw, which was of `work` into so many pixels: pixels and points of the lattices
+    /// that were sampled, each as often as it has lamps. Reads the lists of squares back; waits for
+    /// the GPU.
+    std::uint64_t sampledPixelLamps(const BeamsWork& work, glm::ivec2 picture) const;
 
   private:
     struct Programs {

@@ -152,13 +152,17 @@ TEST(ReferenceFile, IsReadBackAndRefusedForAnotherView) {
     glowing.emission = {3.0F, 2.0F, 1.0F};
     const Scene scene = floorScene(glowing);
     ReferenceSettings settings = lookingDown();
-    const ReferenceFacts facts = describeReference("floor.glb", settings);
-    const ReferencePicture picture = drawReference(scene, settings);
+    const ReferenceView view = describeReference("floor.glb", settings);
+    ReferencePicture picture = drawReference(scene, settings);
+    picture.largestError = 1.0 / 3.0;  // to its last digit
+    picture.rmsError = 1e-300;
     const std::filesystem::path file = folder.path() / "a.exr";
-    writeExr(file, referenceImage(picture, settings, facts, {true, true}));
+    writeExr(file, referenceImage(picture, settings, view, {true, true}));
 
-    const FloatImage image = readReference(file, facts);
-    EXPECT_EQ(image.facts.at("size"), "9x7");
+    const auto [image, facts] = readReference(file, view);
+    EXPECT_EQ(facts.view.size, "9x7");
+    EXPECT_EQ(facts.largestError, picture.largestError);
+    EXPECT_EQ(facts.rmsError, picture.rmsError);
     EXPECT_NEAR(image.at(4, 3, image.channel("G")), 2.0 * std::exp(-0.6), 1e-6);
     EXPECT_NEAR(image.at(4, 3, image.channel("Z")), 3.0, 1e-6);
     EXPECT_NEAR(image.at(4, 3, image.channel("transmittance.B")), std::exp(-0.6), 1e-6);
@@ -186,7 +190,13 @@ TEST(ReferenceFile, IsReadBackAndRefusedForAnotherView) {
     plain.values = {1.0F, 1.0F, 1.0F};
     writeExr(folder.path() / "plain.exr", plain);
     test::expectError(ErrorKind::kBadInput, {"plain.exr", "is no reference"},
-                      [&] { readReference(folder.path() / "plain.exr", facts); });
+                      [&] { readReference(folder.path() / "plain.exr", view); });
+    // Numbers as text are not what a reference is written with.
+    plain = image;
+    plain.facts["rms_error"] = "1e-300";
+    writeExr(folder.path() / "text.exr", plain);
+    test::expectError(ErrorKind::kBadInput, {"text.exr", "is no reference"},
+                      [&] { readReference(folder.path() / "text.exr", view); });
 }
 
 }  // namespace
