@@ -8,6 +8,7 @@ const int kViewSlot = 0;
 const int kBeamSettingsSlot = 1;
 const int kDrawSlot = 2;      // a window onto the draw at hand
 const int kMaterialSlot = 3;  // a window onto its material
+const int kAtmosphereSlot = 4;
 // Shader storage.
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;

@@ -9,9 +9,9 @@
 
 #include <glm/glm.hpp>
 
-#include "reference/sky_ray.h"
-#include "reference/sky_sources.h"
 #include "scene/atmosphere.h"
+#include "sky/sky_ray.h"
+#include "sky/sky_sources.h"
 
 namespace ribalta {
 

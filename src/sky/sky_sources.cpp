@@ -1,15 +1,15 @@
 // Orders of scattering, one after the other, on a grid of heights and suns.
-#include "reference/sky_sources.h"
+#include "sky/sky_sources.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/check.h"
+#include "base/cubic_weights.h"
 #include "base/parallel_for.h"
-#include "reference/cubic_weights.h"
-#include "reference/phase_projection.h"
-#include "reference/sky_air.h"
+#include "sky/phase_projection.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <glm/glm.hpp>
 
-#include "reference/optical_length.h"
-#include "reference/sky_field.h"
-#include "reference/sky_ray.h"
+#include "sky/optical_length.h"
+#include "sky/sky_field.h"
+#include "sky/sky_ray.h"
 
 namespace ribalta {
 

@@ -1,12 +1,12 @@
 // Optical lengths by adaptive quadrature, and tabulated.
-#include "reference/optical_length.h"
+#include "sky/optical_length.h"
 
 #include <cmath>
 
+#include "base/adaptive_integral.h"
+#include "base/cubic_weights.h"
 #include "base/parallel_for.h"
-#include "reference/adaptive_integral.h"
-#include "reference/cubic_weights.h"
-#include "reference/sky_air.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {
