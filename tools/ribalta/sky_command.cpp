@@ -17,18 +17,21 @@
 #include "base/progress.h"
 #include "base/read_file.h"
 #include "base/temporary_file.h"
+#include "gl/context.h"
 #include "parse_number.h"
 #include "reference/integrate_sky.h"
+#include "render/evaluate_sky.h"
 #include "scene/atmosphere.h"
 #include "sky_points.h"
 
 namespace ribalta {
 namespace {
 
-enum class SkyModel { kReference };
+enum class SkyModel { kReference, kAuto };
 
 const std::map<std::string, SkyModel>& modelsByName() {
-    static const std::map<std::string, SkyModel> models = {{"reference", SkyModel::kReference}};
+    static const std::map<std::string, SkyModel> models = {{"reference", SkyModel::kReference},
+                                                           {"auto", SkyModel::kAuto}};
     return models;
 }
 
@@ -60,6 +63,10 @@ std::vector<SkyLight> evaluate(const SkyOptions& options, const std::vector<SkyR
     switch (modelsByName().at(options.model)) {
         case SkyModel::kReference:
             return integrate(air, options.orders, rays);
+        case SkyModel::kAuto: {
+            const Context context;
+            return evaluateSky(air, {options.orders, false}, rays);
+        }
     }
     checkFailed("a model that is known", __FILE__, __LINE__);
 }
@@ -121,7 +128,8 @@ void addSkyCommand(CLI::App& app) {
         ->required();
     command
         ->add_option("--model", options->model,
-                     "what computes it: reference, the integral in double precision")
+                     "what computes it: reference, the integral in double precision; auto, the "
+                     "renderer's own shaders")
         ->type_name("NAME")
         ->check(expectModel, "")
         ->capture_default_str();
