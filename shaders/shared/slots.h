@@ -40,6 +40,7 @@ const int kMieSourcesUnit = 11;
 const int kSkyIrradianceUnit = 12;
 const int kSkyViewUnit = 13;
 const int kAerialUnit = 14;
+const int kSkyTableUnit = 0;  // an image
 const int kPyramidUnit = 0;  // an image, as kColorUnit, kBeamLatticeUnit ... are
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
 // Vertex attributes.

@@ -22,11 +22,7 @@ Texture2D linearTexture(const std::string& label, const Texture2D::Size& size,
 }  // namespace
 
 void SkyTextures::make(const Atmosphere& air, const SkyOrders& orders) {
-    if (tables_ && air_ == air && orders_ == orders) {
-        return;
-    }
     tables_.emplace(air, orders);
-    air_ = air;
     orders_ = orders;
     const std::vector<gpu::Atmosphere> described = {describeAtmosphere(air)};
     atmosphere_.write("atmosphere", bytesOf(described));

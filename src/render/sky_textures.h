@@ -13,7 +13,7 @@ namespace ribalta {
 
 class SkyTextures {
   public:
-    /// Builds and uploads what is not there yet. Throws what checked() throws.
+    /// Builds and uploads them. Throws what checked() throws.
     void make(const Atmosphere& air, const SkyOrders& orders);
 
     /// Binds the tables and the atmosphere's uniform block.
@@ -23,7 +23,6 @@ class SkyTextures {
     const SkyTables& tables() const { return *tables_; }
 
   private:
-    Atmosphere air_;
     SkyOrders orders_;
     std::optional<SkyTables> tables_;
     Buffer atmosphere_;

@@ -35,7 +35,7 @@ const std::map<std::string, SkyModel>& modelsByName() {
     return models;
 }
 
-struct SkyOptions {
+struct SkyPointsOptions {
     std::string points;
     std::string output;
     std::string model = "reference";
@@ -58,7 +58,7 @@ std::vector<SkyLight> integrate(const Atmosphere& air, int orders,
     return lights;
 }
 
-std::vector<SkyLight> evaluate(const SkyOptions& options, const std::vector<SkyRay>& rays) {
+std::vector<SkyLight> evaluate(const SkyPointsOptions& options, const std::vector<SkyRay>& rays) {
     const Atmosphere air = options.rayleighOnly ? withoutMie(Atmosphere()) : Atmosphere();
     switch (modelsByName().at(options.model)) {
         case SkyModel::kReference:
@@ -71,7 +71,7 @@ std::vector<SkyLight> evaluate(const SkyOptions& options, const std::vector<SkyR
     checkFailed("a model that is known", __FILE__, __LINE__);
 }
 
-void writeSkyTable(const SkyOptions& options) {
+void writeSkyTable(const SkyPointsOptions& options) {
     const bool toFile = options.output != "-";
     if (toFile) {
         const TemporaryFile probe(options.output);
@@ -110,7 +110,7 @@ std::string expectOrders(const std::string& text) {
 void addSkyCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "sky", "Says what light of the sky listed rays bring, for a sun of irradiance 1.");
-    const auto options = std::make_shared<SkyOptions>();
+    const auto options = std::make_shared<SkyPointsOptions>();
     command
         ->add_option("--points", options->points,
                      "rays, one a line under a line of names: alt_km (height of the eye over the "
