@@ -23,6 +23,7 @@ layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
 layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
 #ifdef SKY
 layout(std140, binding = kSkySlot) uniform SkyBlock { SkyFrame sky; };
+#include "passes/sky_haze.glsl"
 #endif
 layout(binding = kShadowMapsUnit) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
@@ -292,6 +293,10 @@ void main() {
         }
     }
     float eyeMetres = view.halfExtent.z > 0.5 ? -viewPosition.z : length(viewPosition);
+#ifdef SKY
+    vec3 origin = view.halfExtent.z > 0.5 ? vec3(viewPosition.xy, 0.0) : vec3(0.0);
+    eyeMetres = metresOfHaze(origin, -surface.towardsEye, eyeMetres);
+#endif
     radiance = vec4(sum * transmittance(view.haze.y, eyeMetres), surface.alpha);
 #ifdef NORMAL_OUTPUT
     normalOutput = vec4(surface.normal, 1.0);

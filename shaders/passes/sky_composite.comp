@@ -1,6 +1,7 @@
 // The sky, the planet's ground and the sun behind everything, the air in front of surfaces, and the
 // daylight that the stage's haze scatters.
 #include "passes/sky_seen.glsl"
+#include "passes/sky_haze.glsl"
 #include "shared/view.h"
 #include "lib/haze.glsl"
 #include "lib/view_ray.glsl"
@@ -15,6 +16,8 @@ layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
 /// Limb darkening: the disc's radiance is that of its middle times cos^kLimb, the angle being that
 /// between ray and the sun's surface (after Hestroffer & Magnan 1998 at 680, 550, 440 nm).
 const vec3 kLimb = vec3(0.42, 0.52, 0.68);
+
+const float kEndOfHaze = 1.0e6;  // metres
 
 /// For a sun of irradiance 1.
 vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
@@ -65,18 +68,6 @@ vec3 litHaze(vec3 direction, float metres) {
            (sky.sunLux.rgb * phase + around);
 }
 
-/// Metres of a ray within the box that holds the haze.
-float metresInHaze(vec3 origin, vec3 direction) {
-    vec3 from = (sky.worldFromView * vec4(origin, 1.0)).xyz;
-    vec3 way = mat3(sky.worldFromView) * direction;
-    vec3 safe = mix(way, vec3(1.0e-6), lessThan(abs(way), vec3(1.0e-6)));
-    vec3 a = (sky.hazeLow.xyz - from) / safe;
-    vec3 b = (sky.hazeHigh.xyz - from) / safe;
-    vec3 first = min(a, b);
-    vec3 last = max(a, b);
-    return max(min(min(last.x, last.y), last.z) - max(max(first.x, max(first.y, first.z)), 0.0), 0.0);
-}
-
 /// Dims `color` by the air in front of it and adds the air's light.
 vec3 throughAir(Air air, vec3 color, vec2 uv, vec3 direction, float metres) {
     vec2 size = vec2(kAerialAcross, kAerialDown);
@@ -107,14 +98,15 @@ void main() {
     float depth = texelFetch(depthMap, at, 0).r;
     if (depth > 0.0) {
         float metres = viewDistance(depth, view.depthTerms, view.halfExtent.z) / -direction.z;
-        color.rgb = throughAir(air, color.rgb, uv, direction, metres) + litHaze(direction, metres);
+        color.rgb = throughAir(air, color.rgb, uv, direction, metres) +
+                    litHaze(direction, metresOfHaze(origin, direction, metres));
     } else {
         bool ground;
         vec3 behind = seenSky(air, direction, ground);
         if (!ground) {
             behind += seenSun(air, direction);
         }
-        float metres = metresInHaze(origin, direction);
+        float metres = metresOfHaze(origin, direction, kEndOfHaze);
         behind = behind * atmosphere.sun.rgb * transmittance(view.haze.y, metres) +
                  litHaze(direction, metres);
         // What is see-through has been drawn over black.

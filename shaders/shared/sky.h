@@ -18,8 +18,8 @@ struct SkyFrame {
     vec4 sunward;        // the same made level where the scene stands
     vec4 suns;           // scale, first, last of the suns that sources are tabulated for
     vec4 aerial;         // farthest distance of the air's table, metres
-    vec4 hazeLow;        // the box that the haze fills, world
-    vec4 hazeHigh;
+    vec4 hazeMiddle;     // of the haze's cloud, world
+    vec4 hazePerMetre;   // one over where it has thinned out to 1 / e; w: 1 where there is any
     vec4 sunLux;         // where the scene stands
     vec4 irradiance[5];  // lux by sky and ground there: looking up, down, to the sun, away, across
 };

@@ -41,6 +41,7 @@ using vec3 = glm::dvec3;
 #include "lib/phase_function.glsl"
 #include "lib/spot_light.glsl"
 #include "lib/haze.glsl"
+#include "lib/haze_cloud.glsl"
 #include "lib/beam_radiance.glsl"
 #include "lib/beam_geometry.glsl"
 #include "lib/brdf.glsl"

@@ -281,8 +281,7 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
     planForward(scene, visible, plan);
     if (settings.sky) {
         std::erase(plan.directionalLights, settings.sky->sunLamp);
-        plan.sky =
-            planSky(*settings.sky, sceneBounds(scene), camera, plan.forward.has_value(), cache.sky);
+        plan.sky = planSky(*settings.sky, scene, camera, plan.forward.has_value(), cache.sky);
     }
     if (settings.haze.scatteringPerMetre > 0.0) {
         planBeams(scene, outlines, cache, plan);

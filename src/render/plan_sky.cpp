@@ -5,6 +5,27 @@
 
 namespace ribalta {
 
+namespace {
+
+// Haze machines serve a stage, not the hills behind it: as far as lamps mostly reach.
+constexpr double kHazeReachMetres = 40.0;
+
+Bounds hazeBox(const Scene& scene, const Bounds& all) {
+    Bounds box;
+    for (const SpotLight& lamp : scene.spotLights) {
+        const double reach = std::min(lamp.rangeMetres, kHazeReachMetres);
+        box.add(lamp.frame.position);
+        box.add(lamp.frame.position + reach * lamp.frame.forward());
+    }
+    if (!all.isEmpty() && !box.isEmpty()) {
+        box.low = glm::clamp(box.low, all.low, all.high);
+        box.high = glm::clamp(box.high, all.low, all.high);
+    }
+    return box;
+}
+
+}  // namespace
+
 SkyEye skyEye(const SkyDrawing& sky, const glm::dvec3& position) {
     // Relative to the ground's point below the origin; no two large numbers are subtracted.
     const double radius = sky.air.groundRadiusMetres;
@@ -21,16 +42,17 @@ SkyEye skyEye(const SkyDrawing& sky, const glm::dvec3& position) {
     return eye;
 }
 
-SkyWork planSky(const SkyDrawing& sky, const Bounds& scene, const Camera& camera, bool surfaces,
+SkyWork planSky(const SkyDrawing& sky, const Scene& scene, const Camera& camera, bool surfaces,
                 const SkyCache& cache) {
+    const Bounds bounds = sceneBounds(scene);
     SkyWork work;
     work.drawing = sky;
     work.eye = skyEye(sky, camera.frame.position);
-    work.haze = scene;
+    work.haze = hazeBox(scene, bounds);
     work.aerial = surfaces;
-    for (int i = 0; i < 8 && !scene.isEmpty(); ++i) {
+    for (int i = 0; i < 8 && !bounds.isEmpty(); ++i) {
         work.farthestMetres =
-            std::max(work.farthestMetres, glm::distance(camera.frame.position, scene.corner(i)));
+            std::max(work.farthestMetres, glm::distance(camera.frame.position, bounds.corner(i)));
     }
     work.makeTables = cache.air != sky.air || cache.orders != sky.orders;
     work.makeView = work.makeTables || cache.view != work.viewKey();

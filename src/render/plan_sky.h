@@ -6,8 +6,8 @@
 #include <glm/glm.hpp>
 
 #include "render/sky_settings.h"
-#include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/scene.h"
 
 namespace ribalta {
 
@@ -49,12 +49,14 @@ struct SkyWork {
     bool makeView = true;         ///< what is seen from the eye's height
     bool aerial = false;          ///< there are surfaces to stand in the air
     double farthestMetres = 1.0;  ///< from the eye to the end of the scene
-    Bounds haze;                  ///< what the haze fills, world
+    /// Its middle is that of the cloud of haze, its faces lie where that has thinned out to 1 / e.
+    Bounds haze;
+                  ///< out to 1 / e
 
     SkyViewKey viewKey() const { return {drawing.air, drawing.orders, eye.heightMetres, eye.muS}; }
 };
 
-SkyWork planSky(const SkyDrawing& sky, const Bounds& scene, const Camera& camera, bool surfaces,
+SkyWork planSky(const SkyDrawing& sky, const Scene& scene, const Camera& camera, bool surfaces,
                 const SkyCache& cache);
 void keepForNextFrame(const SkyWork& work, SkyCache& cache);
 

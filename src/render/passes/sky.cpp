@@ -8,6 +8,8 @@
 namespace ribalta {
 namespace {
 
+constexpr double kSmallestHaze = 5.0;  // metres
+
 GLuint groups(int count) {
     return GLuint((count + gpu::kSkyGroup - 1) / gpu::kSkyGroup);
 }
@@ -48,8 +50,9 @@ void SkyPass::uploadFrame(const SkyWork& work, const Camera& camera) {
     frame.suns = glm::vec4(suns, 0.0);
     frame.aerial = glm::vec4(work.farthestMetres, 0.0, 0.0, 0.0);
     if (!work.haze.isEmpty()) {
-        frame.hazeLow = glm::vec4(work.haze.low, 0.0);
-        frame.hazeHigh = glm::vec4(work.haze.high, 0.0);
+        const glm::dvec3 size = glm::max(work.haze.halfSize(), glm::dvec3(kSmallestHaze));
+        frame.hazeMiddle = glm::vec4(work.haze.centre(), 0.0);
+        frame.hazePerMetre = glm::vec4(1.0 / size, 1.0);
     }
     frame.sunLux = glm::vec4(lighting_.sunLux, 0.0);
     const glm::dvec3 sides[] = {lighting_.lux.up, lighting_.lux.down, lighting_.lux.towardsSun,
