@@ -1,6 +1,6 @@
 // The air in front of surfaces: for places in the picture and distances, even in their square root,
 // the light it adds and its optical lengths, each for a metre of the way so that they change little
-// from one place to the next and vanish at the eye. Layers: light but for what Mie's air scattered
+// from one place to the next and vanish at the eye; as logarithms, since air thins out so. Layers: light but for what Mie's air scattered
 // once (alpha: Rayleigh's length), and that without its phase function (alpha: Mie's length).
 #include "passes/sky_seen.glsl"
 #include "shared/view.h"
@@ -31,6 +31,6 @@ void main() {
         rest = vec4(light.rayleigh * phaseRayleigh(ray.w) + light.later, light.lengths.x);
         mie = vec4(light.mie, light.lengths.y);
     }
-    imageStore(aerial, ivec3(at.xy, at.z), rest / distanceMetres);
-    imageStore(aerial, ivec3(at.xy, at.z + kAerialDepths), mie / distanceMetres);
+    imageStore(aerial, ivec3(at.xy, at.z), log(max(rest / distanceMetres, kDarkest)));
+    imageStore(aerial, ivec3(at.xy, at.z + kAerialDepths), log(max(mie / distanceMetres, kDarkest)));
 }

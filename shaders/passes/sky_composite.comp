@@ -80,6 +80,8 @@ vec3 throughAir(Air air, vec3 color, vec2 uv, vec3 direction, float metres) {
     vec4 mie = mix(textureLod(aerial, vec3(place, low), 0.0),
                    textureLod(aerial, vec3(place, low + 1.0), 0.0),
                    depth + float(kAerialDepths) - low);
+    rest = exp(rest);
+    mie = exp(mie);
     float nu = dot(direction, sky.sun.xyz);
     vec3 added = metres * (rest.rgb + mie.rgb * phaseCornetteShanks(nu, air.mieG));
     return color * airTransmittance(air, metres * rest.a, metres * mie.a) + added * atmosphere.sun.rgb;

@@ -5,11 +5,11 @@ SHARED_BEGIN
 
 const int kSkyGroup = 8;         // invocations of a work group each way
 const int kSkyRayGroup = 64;     // of one that goes through a list of rays
-const int kSkyViewAzimuths = 64; // the table of what is seen from the eye's height
+const int kSkyViewAzimuths = 32; // the table of what is seen from the eye's height
 const int kSkyViewAngles = 64;   // above the horizon, and as many below
-const int kAerialAcross = 32;    // the table of the air in front of surfaces
-const int kAerialDown = 18;
-const int kAerialDepths = 12;
+const int kAerialAcross = 24;    // the table of the air in front of surfaces
+const int kAerialDown = 32;
+const int kAerialDepths = 20;
 
 struct SkyFrame {
     mat4 worldFromView;
