@@ -19,15 +19,16 @@ MAY_INCLUDE = {
     "scene": {"base", "image"},
     "gltf": {"base", "image", "scene"},
     "optics": {"base"},
-    "reference": {"base", "image", "scene", "optics"},
+    "sky": {"base", "scene", "optics"},
+    "reference": {"base", "image", "scene", "optics", "sky"},
     "gl": {"base", "image"},
-    "render": {"base", "image", "scene", "optics", "gl"},
-    "measure": {"base", "image", "scene", "optics", "reference", "gl", "render"},
-    "viewer": {"base", "image", "scene", "optics", "gl", "render"},
+    "render": {"base", "image", "scene", "optics", "sky", "gl"},
+    "measure": {"base", "image", "scene", "optics", "sky", "reference", "gl", "render"},
+    "viewer": {"base", "image", "scene", "optics", "sky", "gl", "render"},
 }
 # Shader mathematics and structs, compiled as C++ too.
 SHADER_FOLDERS = {"lib", "shared"}
-MAY_INCLUDE_SHADERS = {"optics", "reference", "render"}
+MAY_INCLUDE_SHADERS = {"optics", "sky", "reference", "render"}
 # Libraries that one folder keeps to itself.
 LIBRARIES = {
     "OpenImageIO/": "src/image/codec/",
@@ -119,6 +120,7 @@ BAD = [
     ("src/render/b.cpp", '#include "measure/sweep.h"'),
     ("src/render/passes/tonemap.cpp", '#include "render/passes/forward.h"'),
     ("src/optics/a.h", '#include "support/make_png.h"'),
+    ("src/sky/a.cpp", '#include "reference/integrate_sky.h"'),
     ("src/reference/b.cpp", "#include <embree3/rtcore.h>"),
     ("src/helpers/a.h", ""),
     ("tests/unit/b_test.cpp", "#include <draco/compression/decode.h>"),

@@ -4,6 +4,9 @@
 #include "shared/view.h"
 #include "shared/lamp.h"
 #include "shared/surface.h"
+#ifdef SKY
+#include "shared/sky.h"
+#endif
 #include "lib/brdf.glsl"
 #include "lib/haze.glsl"
 #include "lib/spot_light.glsl"
@@ -18,6 +21,10 @@ layout(std430, binding = kDirectionalLampsSlot) readonly buffer DirectionalLamps
 };
 layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
 layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
+#ifdef SKY
+layout(std140, binding = kSkySlot) uniform SkyBlock { SkyFrame sky; };
+#include "passes/sky_haze.glsl"
+#endif
 layout(binding = kShadowMapsUnit) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
 
@@ -235,12 +242,29 @@ vec3 litByPoint(PointLamp lamp, Surface surface) {
     return reflected(surface, towardsLamp / distanceMetres) * lamp.candela.rgb * attenuation;
 }
 
-/// Even light from all around, a little less from below.
+#ifdef SKY
+/// Irradiance by sky and ground: exact along the axes up, to the sun and across, in between by the
+/// squares of the cosines, which sum up to 1.
+vec3 daylight(vec3 normal) {
+    float up = dot(normal, view.upAmbient.xyz);
+    float sunward = dot(normal, sky.sunward.xyz);
+    float across = max(1.0 - up * up - sunward * sunward, 0.0);
+    return up * up * sky.irradiance[up > 0.0 ? 0 : 1].rgb +
+           sunward * sunward * sky.irradiance[sunward > 0.0 ? 2 : 3].rgb +
+           across * sky.irradiance[4].rgb;
+}
+#endif
+
+/// Even light from all around, a little less from below; and that of the sky.
 vec3 ambientLight(Surface surface) {
     vec3 specular = mix(vec3(0.04), surface.baseColor, surface.metallic);
     vec3 albedo = surface.baseColor * (1.0 - surface.metallic) + specular;
     float fromAbove = 0.75 + 0.25 * dot(surface.normal, view.upAmbient.xyz);
-    return albedo * (kInversePi * view.upAmbient.w * fromAbove * surface.occlusion);
+    vec3 light = vec3(view.upAmbient.w * fromAbove);
+#ifdef SKY
+    light += daylight(surface.normal);
+#endif
+    return albedo * light * (kInversePi * surface.occlusion);
 }
 
 void main() {
@@ -269,6 +293,10 @@ void main() {
         }
     }
     float eyeMetres = view.halfExtent.z > 0.5 ? -viewPosition.z : length(viewPosition);
+#ifdef SKY
+    vec3 origin = view.halfExtent.z > 0.5 ? vec3(viewPosition.xy, 0.0) : vec3(0.0);
+    eyeMetres = metresOfHaze(origin, -surface.towardsEye, eyeMetres);
+#endif
     radiance = vec4(sum * transmittance(view.haze.y, eyeMetres), surface.alpha);
 #ifdef NORMAL_OUTPUT
     normalOutput = vec4(surface.normal, 1.0);

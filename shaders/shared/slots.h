@@ -8,6 +8,8 @@ const int kViewSlot = 0;
 const int kBeamSettingsSlot = 1;
 const int kDrawSlot = 2;      // a window onto the draw at hand
 const int kMaterialSlot = 3;  // a window onto its material
+const int kAtmosphereSlot = 4;
+const int kSkySlot = 5;
 // Shader storage.
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
@@ -20,6 +22,8 @@ const int kExposureSlot = 7;
 const int kSampledQuadsSlot = 3;  // only surfaces ask for cones
 const int kPyramidLayersSlot = 4;  // before the beams
 const int kRunCountsSlot = 1;      // while beams are drawn
+const int kSkyRaysSlot = 0;        // while listed rays of the sky are asked for
+const int kSkyLightsSlot = 1;
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;
@@ -30,6 +34,13 @@ const int kBeamQuadsUnit = 5;
 const int kBeamsOutputUnit = 6;
 const int kBeamFineUnit = 7;
 const int kShadowPyramidUnit = 8;
+const int kOpticalLengthsUnit = 9;
+const int kRayleighSourcesUnit = 10;
+const int kMieSourcesUnit = 11;
+const int kSkyIrradianceUnit = 12;
+const int kSkyViewUnit = 13;
+const int kAerialUnit = 14;
+const int kSkyTableUnit = 0;  // an image
 const int kPyramidUnit = 0;  // an image, as kColorUnit, kBeamLatticeUnit ... are
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
 // Vertex attributes.

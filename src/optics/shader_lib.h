@@ -23,6 +23,7 @@ using glm::cross;
 using glm::dot;
 using glm::exp;
 using glm::exp2;
+using glm::log;
 using glm::log2;
 using glm::max;
 using glm::min;
@@ -40,6 +41,7 @@ using vec3 = glm::dvec3;
 #include "lib/phase_function.glsl"
 #include "lib/spot_light.glsl"
 #include "lib/haze.glsl"
+#include "lib/haze_cloud.glsl"
 #include "lib/beam_radiance.glsl"
 #include "lib/beam_geometry.glsl"
 #include "lib/brdf.glsl"
@@ -49,6 +51,7 @@ using vec3 = glm::dvec3;
 #include "lib/air.glsl"
 #include "lib/air_shell.glsl"
 #include "lib/chapman.glsl"
+#include "lib/sky_tables.glsl"
 // clang-format on
 #undef OUT
 #undef float

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/adaptive_integral.h"
 #include "base/check.h"
-#include "reference/adaptive_integral.h"
-#include "reference/optical_length.h"
-#include "reference/sky_air.h"
-#include "reference/sky_field.h"
+#include "sky/optical_length.h"
+#include "sky/sky_air.h"
+#include "sky/sky_field.h"
 
 namespace ribalta {
 namespace {

@@ -9,9 +9,9 @@
 
 #include <glm/glm.hpp>
 
-#include "reference/sky_ray.h"
-#include "reference/sky_sources.h"
 #include "scene/atmosphere.h"
+#include "sky/sky_ray.h"
+#include "sky/sky_sources.h"
 
 namespace ribalta {
 
@@ -32,14 +32,6 @@ struct SingleScattering {
     glm::dvec3 rayleigh{0.0};
     glm::dvec3 mie{0.0};
     glm::dvec3 sum() const { return rayleigh + mie; }
-};
-
-/// What a ray brings, in cd/m2 for a sun of 1 lux (1/sr).
-struct SkyLight {
-    glm::dvec3 transmittance{1.0};  ///< of the part within the air
-    glm::dvec3 air{0.0};            ///< scattered towards the ray's start, of orders 1..`orders`
-    glm::dvec3 ground{
-        0.0};  ///< reflected by the ground where the ray ends on it, dimmed by the air
 };
 
 /// Exact but slow: order 1 adaptively, order 2 by quadrature of high degree over the whole sphere

@@ -279,6 +279,10 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
     const auto outlines = planLamps(scene, lit, visible, plan);
     planShadowMaps(scene, cache, lit, plan);
     planForward(scene, visible, plan);
+    if (settings.sky) {
+        std::erase(plan.directionalLights, settings.sky->sunLamp);
+        plan.sky = planSky(*settings.sky, scene, camera, plan.forward.has_value(), cache.sky);
+    }
     if (settings.haze.scatteringPerMetre > 0.0) {
         planBeams(scene, outlines, cache, plan);
     }
@@ -289,6 +293,9 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
 }
 
 void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cache) {
+    if (plan.sky) {
+        keepForNextFrame(*plan.sky, cache.sky);
+    }
     if (plan.shadowMaps.layers == 0) {
         return;
     }
@@ -328,6 +335,10 @@ std::string FramePlan::describe() const {
     }
     if (forward) {
         add("forward");
+    }
+    if (sky) {
+        add(std::string(sky->makeTables ? "sky_tables " : "") + (sky->makeView ? "sky_view " : "") +
+            (sky->aerial ? "aerial " : "") + "sky");
     }
     if (beams) {
         const bool planes = beams->settings.method == BeamMethod::kPlanes;

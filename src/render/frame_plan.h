@@ -10,6 +10,7 @@
 #include "render/draw_list.h"
 #include "render/frame_settings.h"
 #include "render/plan_lamps.h"
+#include "render/plan_sky.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 
@@ -31,6 +32,7 @@ struct FrameCache {
     int shadowSide = 0;                                  ///< texels of the maps that are there
     std::vector<std::optional<ShadowKey>> shadowLayers;  ///< by layer
     std::vector<bool> pyramidLayers;                     ///< by layer: its pyramid is of this map
+    SkyCache sky;
 };
 
 /// One lamp's shadow map to draw.
@@ -98,6 +100,7 @@ struct FramePlan {
     std::vector<ShadowMapWork> shadowMapWork;  ///< empty: no lamp with casters, or all kept
     std::vector<int> shadowPyramidWork;        ///< layers; empty: not used, or all kept
     std::optional<ForwardWork> forward;        ///< absent: nothing to see
+    std::optional<SkyWork> sky;                ///< absent: no sky is asked for
     std::optional<BeamsWork> beams;            ///< absent: clear air, or no beam in view
     std::optional<TonemapWork> tonemap;        ///< absent: no picture for a screen is asked for
 

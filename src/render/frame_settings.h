@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "render/beam_method.h"
+#include "render/sky_settings.h"
 #include "scene/haze.h"
 
 namespace ribalta {
@@ -44,12 +45,13 @@ struct FrameSettings {
     int height = 720;
     Haze haze;
     BeamSettings beams;
-    double ambientLux = 1.0;      ///< even light from all around
-    std::optional<double> ev100;  ///< exposure; none: found from the picture
-    bool display = true;          ///< make the exposed, tone-mapped 8-bit picture
-    bool beamsOutput = false;     ///< keep the beams apart as well
-    bool normalOutput = false;    ///< keep the surfaces' normals
-    bool countRuns = false;       ///< count what the shadow maps' pyramid saves, slowly
+    std::optional<SkyDrawing> sky;  ///< none: black behind everything
+    double ambientLux = 1.0;        ///< even light from all around
+    std::optional<double> ev100;    ///< exposure; none: found from the picture
+    bool display = true;            ///< make the exposed, tone-mapped 8-bit picture
+    bool beamsOutput = false;       ///< keep the beams apart as well
+    bool normalOutput = false;      ///< keep the surfaces' normals
+    bool countRuns = false;         ///< count what the shadow maps' pyramid saves, slowly
 
     bool operator==(const FrameSettings&) const = default;
 };

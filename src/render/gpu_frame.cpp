@@ -128,11 +128,13 @@ glm::dmat4 shadowClipFromWorld(const SpotLight& lamp, int side) {
     return clipFromLamp * lampFromWorld(lamp);
 }
 
-void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene) {
+void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
+                      const SkyLighting* daylight) {
     const glm::dmat4 fromView = worldFromView(plan.camera);
     const glm::dmat4 fromWorld = viewFromWorld(plan.camera);
 
-    const std::vector<gpu::View> view = {describeView(plan)};
+    std::vector<gpu::View> view = {describeView(plan)};
+    view.front().lampCounts.z += daylight != nullptr ? 1 : 0;
     view_.write("view", bytesOf(view));
     glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kViewSlot, view_.name());
 
@@ -160,6 +162,10 @@ void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene&
         const DirectionalLight& lamp = scene.directionalLights[std::size_t(index)];
         directional.push_back({glm::vec4(glm::dmat3(fromWorld) * -lamp.direction, 0.0),
                                glm::vec4(lamp.color * float(lamp.illuminanceLux), 0.0F)});
+    }
+    if (daylight != nullptr) {
+        directional.push_back({glm::vec4(glm::dmat3(fromWorld) * daylight->towardsSun, 0.0),
+                               glm::vec4(daylight->sunLux, 0.0)});
     }
     uploadList(directionalLamps_, "directional lamps", gpu::kDirectionalLampsSlot, directional);
 

@@ -4,13 +4,16 @@
 #include "gl/buffer.h"
 #include "render/frame_plan.h"
 #include "render/gpu_scene.h"
+#include "render/sky_lighting.h"
 
 namespace ribalta {
 
 class GpuFrame {
   public:
-    /// Uploads the plan's view, lamps and placements, and binds them to their slots.
-    void upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene);
+    /// Uploads the plan's view, lamps and placements, and binds them to their slots. `daylight`:
+    /// its sun is one more directional lamp; null where there is no sky.
+    void upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
+                const SkyLighting* daylight);
 
     /// Binds the placement of a draw of the plan to its slot.
     void bindDraw(int index) const;

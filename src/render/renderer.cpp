@@ -46,9 +46,15 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         targets_.reset();
         targets_.emplace(settings);
     }
+    const SkyLighting* daylight = nullptr;
+    if (plan_.sky) {
+        timer_.begin("sky_tables");
+        daylight = &madeOnFirstUse(sky_).prepare(*plan_.sky);
+        sky_->uploadFrame(*plan_.sky, camera);
+    }
     timer_.begin("upload");
     gpuScene_.useLightMaps(scene_, plan_.spotsDrawn());
-    gpuFrame_.upload(scene_, plan_, gpuScene_);
+    gpuFrame_.upload(scene_, plan_, gpuScene_, daylight);
 
     if (!plan_.shadowMapWork.empty()) {
         timer_.begin("shadow_map");
@@ -66,6 +72,11 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         const DebugGroup group("forward");
         madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, gpuFrame_,
                                       shadowMaps(), *targets_);
+    }
+    if (plan_.sky) {
+        timer_.begin("sky");
+        const DebugGroup group("sky");
+        sky_->draw(*plan_.sky, plan_, *targets_);
     }
     if (plan_.beams) {
         timer_.begin("beams");

@@ -18,6 +18,7 @@
 #include "render/passes/forward.h"
 #include "render/passes/shadow_map.h"
 #include "render/passes/shadow_pyramid.h"
+#include "render/passes/sky.h"
 #include "render/passes/tonemap.h"
 
 namespace ribalta {
@@ -77,6 +78,7 @@ class Renderer {
     std::optional<ShadowMapPass> shadowMapPass_;
     std::optional<ShadowPyramidPass> shadowPyramidPass_;
     std::optional<ForwardPass> forward_;
+    std::optional<SkyPass> sky_;
     std::optional<AdaptiveBeamsPass> adaptiveBeams_;
     std::optional<ClippedBeamsPass> clippedBeams_;
     std::optional<PlaneBeamsPass> planeBeams_;

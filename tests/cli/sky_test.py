@@ -5,7 +5,7 @@ import io
 import math
 import unittest
 
-from command import BAD_INPUT, JOB_FAILED, USAGE, CommandTest
+from command import BAD_INPUT, JOB_FAILED, SCENES, USAGE, CommandTest
 
 HEADER = "alt_km,mu,mu_s,nu\n"
 ZENITH = "0,1,0.5,0.5\n"
@@ -54,6 +54,43 @@ class Tables(CommandTest):
         lights = [float(self.table(HEADER + ZENITH, f"--orders={n}")[0]["L_b"]) for n in (1, 2, 3)]
         self.assertEqual(lights, sorted(set(lights)))
         self.assertLess(lights[2], 2 * lights[0])
+
+    def test_the_renderers_own_model_is_close_to_the_reference(self):
+        [auto] = self.table(HEADER + ZENITH, "--model=auto")
+        [reference] = self.table(HEADER + ZENITH)
+        for name in NEW:
+            self.assertAlmostEqual(float(auto[name]) / float(reference[name]), 1, delta=5e-3)
+            self.assertNotEqual(auto[name], reference[name])
+
+
+class Pictures(CommandTest):
+    def render(self, *options):
+        return self.expect_done("render", SCENES / "one_lamp.glb", "--size=64x48", "--verbose",
+                                *options).stderr
+
+    def test_only_where_it_is_asked_for(self):
+        self.assertNotIn("sky", self.render())
+        told = self.render("--sky=auto", "--sun=20,90", "--sky-orders=1")
+        self.assertIn("sky_tables sky_view", told)
+        self.assertIn("the sun casts no shadows", told)
+
+    def test_says_where_the_sun_stands_by_default(self):
+        self.assertIn("30,135", self.render("--sky=auto", "--sky-orders=1"))
+
+    def test_options(self):
+        for words, options in [
+            (["'blue'", "none, auto"], ["--sky=blue"]),
+            (["--sun", "'91,0'", "-90..90"], ["--sky=auto", "--sun=91,0"]),
+            (["--sun", "'20'", "ELEVATION,AZIMUTH"], ["--sky=auto", "--sun=20"]),
+            (["--sun", "'high,0'"], ["--sky=auto", "--sun=high,0"]),
+            (["--altitude", "'-1'", "metres"], ["--sky=auto", "--altitude=-1"]),
+            (["--sky-orders", "'0'", "1..20"], ["--sky=auto", "--sky-orders=0"]),
+            (["--sun", "--sky auto"], ["--sun=20,0"]),
+            (["--altitude", "--sky auto"], ["--altitude=100"]),
+        ]:
+            self.expect_error(USAGE, words, "render", SCENES / "one_lamp.glb", "-o", "out.png",
+                              *options)
+        self.assertEqual(self.files(), [])
 
 
 class WrongUsage(CommandTest):

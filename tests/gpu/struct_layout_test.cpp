@@ -2,8 +2,10 @@
 #include <cstddef>
 #include <map>
 
+#include <shared/atmosphere.h>
 #include <shared/beams.h>
 #include <shared/lamp.h>
+#include <shared/sky.h>
 #include <shared/slots.h>
 #include <shared/surface.h>
 #include <shared/view.h>
@@ -129,6 +131,37 @@ TEST_F(StructLayout, WhatSurfacesRead) {
               GLint(sizeof(glm::vec4)));
     EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "spotLamps[0].lampFromView", GL_MATRIX_STRIDE),
               GLint(sizeof(glm::vec4)));
+}
+
+TEST_F(StructLayout, WhatTheSkyReads) {
+    const Program program({"passes/sky_composite.comp"}, {"PHASE_KIND 0"});
+    expectUniforms(program, "AtmosphereBlock",
+                   {{"atmosphere.rayleigh", offsetof(gpu::Atmosphere, rayleigh)},
+                    {"atmosphere.mieScattering", offsetof(gpu::Atmosphere, mieScattering)},
+                    {"atmosphere.mieExtinction", offsetof(gpu::Atmosphere, mieExtinction)},
+                    {"atmosphere.shell", offsetof(gpu::Atmosphere, shell)},
+                    {"atmosphere.albedo", offsetof(gpu::Atmosphere, albedo)},
+                    {"atmosphere.sun", offsetof(gpu::Atmosphere, sun)}},
+                   sizeof(gpu::Atmosphere), 6);
+    expectUniforms(program, "SkyBlock",
+                   {{"sky.worldFromView", offsetof(gpu::SkyFrame, worldFromView)},
+                    {"sky.zenith", offsetof(gpu::SkyFrame, zenith)},
+                    {"sky.sun", offsetof(gpu::SkyFrame, sun)},
+                    {"sky.sunward", offsetof(gpu::SkyFrame, sunward)},
+                    {"sky.suns", offsetof(gpu::SkyFrame, suns)},
+                    {"sky.aerial", offsetof(gpu::SkyFrame, aerial)},
+                    {"sky.hazeMiddle", offsetof(gpu::SkyFrame, hazeMiddle)},
+                    {"sky.hazePerMetre", offsetof(gpu::SkyFrame, hazePerMetre)},
+                    {"sky.sunLux", offsetof(gpu::SkyFrame, sunLux)},
+                    {"sky.irradiance[0]", offsetof(gpu::SkyFrame, irradiance)}},
+                   sizeof(gpu::SkyFrame), 10);
+    const Program points({"passes/sky_points.comp"});
+    expectBuffer(points, "Rays", "rays", {MEMBER(SkyRayStart, ray), MEMBER(SkyRayStart, way)},
+                 sizeof(gpu::SkyRayStart), 2);
+    expectBuffer(
+        points, "Lights", "lights",
+        {MEMBER(SkyRayLight, transmittance), MEMBER(SkyRayLight, air), MEMBER(SkyRayLight, ground)},
+        sizeof(gpu::SkyRayLight), 3);
 }
 
 TEST_F(StructLayout, WindowsOntoBuffersAreAligned) {

@@ -20,6 +20,7 @@
 #include "render/renderer.h"
 #include "render_outputs.h"
 #include "render_stats.h"
+#include "sky_options.h"
 
 namespace ribalta {
 namespace {
@@ -36,6 +37,7 @@ struct RenderOptions {
     std::optional<std::string> camera;
     std::string size = "1280x720";
     HazeOptions haze;
+    SkyOptions sky;
     BeamOptions beams;
     std::string exposure = "auto";
     double ambient = 1.0;
@@ -146,6 +148,19 @@ void tellOfFrames(const std::string& scene, const RenderStats& stats) {
     }
 }
 
+// What the picture leaves out of the sky's doing.
+void tellOfSky(const SkyWork& sky) {
+    logNote("sky: the sun casts no shadows");
+    if (sky.eye.belowMetres > 0.0) {
+        char line[128];
+        std::snprintf(line, sizeof line,
+                      "sky: the camera is %.3g m below the planet's ground and looks from the "
+                      "ground; give --altitude to lift the scene",
+                      sky.eye.belowMetres);
+        logWarning(line);
+    }
+}
+
 void render(const RenderOptions& options) {
     setVerbose(options.verbose);
     const RenderOutputs outputs{options.outputs, parseLayers(options.layers), options.stats};
@@ -153,6 +168,7 @@ void render(const RenderOptions& options) {
         throw CLI::ValidationError("nothing to write",
                                    "give -o FILE.png, -o FILE.exr or --stats FILE.json");
     }
+    options.sky.check();
     FrameSettings settings = settingsFrom(options, outputs);
     checkOutputs(outputs);
 
@@ -160,6 +176,7 @@ void render(const RenderOptions& options) {
     for (const std::filesystem::path& output : outputs.files) {
         refuseReplacing(output, loaded.files);
     }
+    settings.sky = options.sky.parsed(loaded.scene);
     const Camera camera = chooseCamera(loaded.scene, options.camera,
                                        double(settings.width) / double(settings.height));
 
@@ -182,6 +199,9 @@ void render(const RenderOptions& options) {
     if (renderer.lastPlan().lampsWithoutShadow > 0) {
         logWarning(std::to_string(renderer.lastPlan().lampsWithoutShadow) +
                    " lamps cast no shadows: more lamps have casters than there are shadow maps");
+    }
+    if (renderer.lastPlan().sky) {
+        tellOfSky(*renderer.lastPlan().sky);
     }
     stats.renderer = context.renderer();
     stats.load = loaded.stages;
@@ -253,6 +273,7 @@ void addRenderCommand(CLI::App& app) {
     const auto options = std::make_shared<RenderOptions>();
     addPictureOptions(*command, *options);
     options->haze.addTo(*command);
+    options->sky.addTo(*command);
     options->beams.addTo(*command);
     command->callback([options] { render(*options); });
 }

@@ -17,22 +17,25 @@
 #include "base/progress.h"
 #include "base/read_file.h"
 #include "base/temporary_file.h"
+#include "gl/context.h"
 #include "parse_number.h"
 #include "reference/integrate_sky.h"
+#include "render/evaluate_sky.h"
 #include "scene/atmosphere.h"
 #include "sky_points.h"
 
 namespace ribalta {
 namespace {
 
-enum class SkyModel { kReference };
+enum class SkyModel { kReference, kAuto };
 
 const std::map<std::string, SkyModel>& modelsByName() {
-    static const std::map<std::string, SkyModel> models = {{"reference", SkyModel::kReference}};
+    static const std::map<std::string, SkyModel> models = {{"reference", SkyModel::kReference},
+                                                           {"auto", SkyModel::kAuto}};
     return models;
 }
 
-struct SkyOptions {
+struct SkyPointsOptions {
     std::string points;
     std::string output;
     std::string model = "reference";
@@ -55,16 +58,20 @@ std::vector<SkyLight> integrate(const Atmosphere& air, int orders,
     return lights;
 }
 
-std::vector<SkyLight> evaluate(const SkyOptions& options, const std::vector<SkyRay>& rays) {
+std::vector<SkyLight> evaluate(const SkyPointsOptions& options, const std::vector<SkyRay>& rays) {
     const Atmosphere air = options.rayleighOnly ? withoutMie(Atmosphere()) : Atmosphere();
     switch (modelsByName().at(options.model)) {
         case SkyModel::kReference:
             return integrate(air, options.orders, rays);
+        case SkyModel::kAuto: {
+            const Context context;
+            return evaluateSky(air, {options.orders, false}, rays);
+        }
     }
     checkFailed("a model that is known", __FILE__, __LINE__);
 }
 
-void writeSkyTable(const SkyOptions& options) {
+void writeSkyTable(const SkyPointsOptions& options) {
     const bool toFile = options.output != "-";
     if (toFile) {
         const TemporaryFile probe(options.output);
@@ -103,7 +110,7 @@ std::string expectOrders(const std::string& text) {
 void addSkyCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "sky", "Says what light of the sky listed rays bring, for a sun of irradiance 1.");
-    const auto options = std::make_shared<SkyOptions>();
+    const auto options = std::make_shared<SkyPointsOptions>();
     command
         ->add_option("--points", options->points,
                      "rays, one a line under a line of names: alt_km (height of the eye over the "
@@ -121,7 +128,8 @@ void addSkyCommand(CLI::App& app) {
         ->required();
     command
         ->add_option("--model", options->model,
-                     "what computes it: reference, the integral in double precision")
+                     "what computes it: reference, the integral in double precision; auto, the "
+                     "renderer's own shaders")
         ->type_name("NAME")
         ->check(expectModel, "")
         ->capture_default_str();

@@ -21,6 +21,9 @@ const Program& ForwardPass::program(const Variant& variant) {
         if (variant.normalOutput) {
             defines.emplace_back("NORMAL_OUTPUT");
         }
+        if (variant.sky) {
+            defines.emplace_back("SKY");
+        }
         program = Program({"passes/forward.vert", "passes/forward.frag"}, defines);
     }
     return program;
@@ -33,8 +36,9 @@ void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuS
     const glm::dmat4& worldFromLocal = scene.nodes[std::size_t(item.node)].worldFromLocal;
 
     PipelineState state;
-    state.program = &program({gpuScene.hasTextures(item),
-                              material.alphaMode == Material::AlphaMode::kMask, normalOutput});
+    state.program =
+        &program({gpuScene.hasTextures(item), material.alphaMode == Material::AlphaMode::kMask,
+                  normalOutput, plan.sky.has_value()});
     state.vertexArray = gpuScene.vertexArray();
     state.depthTest = blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
     state.depthWrite = !blended;

@@ -24,6 +24,7 @@ class ForwardPass {
         bool textures = false;
         bool alphaMask = false;
         bool normalOutput = false;
+        bool sky = false;
 
         auto operator<=>(const Variant&) const = default;
     };

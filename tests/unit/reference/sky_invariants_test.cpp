@@ -7,8 +7,8 @@
 
 #include "optics/shader_lib.h"
 #include "reference/integrate_sky.h"
-#include "reference/optical_length.h"
-#include "reference/sky_field.h"
+#include "sky/optical_length.h"
+#include "sky/sky_field.h"
 
 namespace ribalta {
 namespace {

@@ -20,10 +20,11 @@ glm::dvec3 transmittance(const Atmosphere& atmosphere, const glm::dvec2& lengths
 
 /// The same from 0..top to the air's end, for rays that do not hit the ground: log(optical length /
 /// distance) over height and distance (the mapping of Bruneton's 2017 code), by cubics. For Earth's
-/// air within 3e-6, for scale heights an eighth of Earth's within 2e-4.
+/// air within 3e-6 (32 heights by 64 cosines: 4e-5), for scale heights an eighth of Earth's within
+/// 2e-4.
 class OpticalLengthTable {
   public:
-    explicit OpticalLengthTable(const Atmosphere& atmosphere);
+    explicit OpticalLengthTable(const Atmosphere& atmosphere, int heights = 128, int cosines = 256);
 
     glm::dvec2 toTop(double height, double mu) const;
     /// Over `distance` within the air; `ground` where the whole ray hits it. As a difference:
@@ -31,13 +32,13 @@ class OpticalLengthTable {
     glm::dvec2 along(double height, double mu, double distance, bool ground) const;
 
     const Atmosphere& atmosphere() const { return atmosphere_; }
+    const std::vector<glm::dvec2>& logs() const { return logs_; }  ///< [height][cosine]
 
   private:
-    static constexpr int kHeights = 128;
-    static constexpr int kCosines = 256;
-
     Atmosphere atmosphere_;
-    std::vector<glm::dvec2> logs_;  ///< heights by cosines
+    int heights_;
+    int cosines_;
+    std::vector<glm::dvec2> logs_;
 };
 
 }  // namespace ribalta

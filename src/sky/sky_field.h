@@ -7,9 +7,9 @@
 
 #include <glm/glm.hpp>
 
-#include "reference/gauss_rule.h"
-#include "reference/optical_length.h"
-#include "reference/sky_ray.h"
+#include "base/gauss_rule.h"
+#include "sky/optical_length.h"
+#include "sky/sky_ray.h"
 
 namespace ribalta {
 

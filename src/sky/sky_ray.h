@@ -19,6 +19,14 @@ struct SkyRay {
     double distanceMetres = std::numeric_limits<double>::infinity();  ///< where it ends, > 0
 };
 
+/// What a ray brings, in cd/m2 for a sun of 1 lux (1/sr).
+struct SkyLight {
+    glm::dvec3 transmittance{1.0};  ///< of the part within the air
+    glm::dvec3 air{0.0};            ///< scattered towards the ray's start, of orders 1..`orders`
+    glm::dvec3 ground{
+        0.0};  ///< reflected by the ground where the ray ends on it, dimmed by the air
+};
+
 /// The part of a ray within the air; cosines as in SkyRay, where that part begins.
 struct AirPath {
     double height = 0.0;  ///< metres, 0..top

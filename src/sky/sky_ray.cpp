@@ -1,11 +1,11 @@
 // The way of a ray through the air, by the shaders' own geometry.
-#include "reference/sky_ray.h"
+#include "sky/sky_ray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "reference/sky_air.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {

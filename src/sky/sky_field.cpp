@@ -1,11 +1,11 @@
 // Quadrature over directions and along rays; single scattering on it.
-#include "reference/sky_field.h"
+#include "sky/sky_field.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "reference/sky_air.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {

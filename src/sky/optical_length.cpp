@@ -1,12 +1,12 @@
 // Optical lengths by adaptive quadrature, and tabulated.
-#include "reference/optical_length.h"
+#include "sky/optical_length.h"
 
 #include <cmath>
 
+#include "base/adaptive_integral.h"
+#include "base/cubic_weights.h"
 #include "base/parallel_for.h"
-#include "reference/adaptive_integral.h"
-#include "reference/cubic_weights.h"
-#include "reference/sky_air.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {
@@ -44,28 +44,31 @@ glm::dvec3 transmittance(const Atmosphere& atmosphere, const glm::dvec2& lengths
     return shader::airTransmittance(airOf(atmosphere), lengths.x, lengths.y);
 }
 
-OpticalLengthTable::OpticalLengthTable(const Atmosphere& atmosphere)
-    : atmosphere_(atmosphere), logs_(std::size_t(kHeights) * kCosines) {
+OpticalLengthTable::OpticalLengthTable(const Atmosphere& atmosphere, int heights, int cosines)
+    : atmosphere_(atmosphere),
+      heights_(heights),
+      cosines_(cosines),
+      logs_(std::size_t(heights) * std::size_t(cosines)) {
     const shader::Air air = airOf(atmosphere);
     const double radius = air.groundRadius;
     const double topSquare = shader::airSquare(air, air.top);
-    parallelFor(kHeights, [&](std::size_t row) {
+    parallelFor(std::size_t(heights_), [&](std::size_t row) {
         // Even in the distance to the horizon, rho.
-        const double part = double(row) / (kHeights - 1);
+        const double part = double(row) / (heights_ - 1);
         const double square = topSquare * part * part;
         const double height =
             std::min(square / (std::sqrt(radius * radius + square) + radius), air.top);
         const double shortest = air.top - height;
         const double longest = std::sqrt(square) + std::sqrt(topSquare);
-        for (int i = 0; i < kCosines; ++i) {
+        for (int i = 0; i < cosines_; ++i) {
             const double distance =
-                std::max(shortest + (longest - shortest) * i / (kCosines - 1), 1e-6 * air.top);
+                std::max(shortest + (longest - shortest) * i / (cosines_ - 1), 1e-6 * air.top);
             const double mu = std::clamp(
                 (topSquare - square - distance * distance) / (2.0 * (radius + height) * distance),
                 -1.0, 1.0);
             const glm::dvec2 lengths = opticalLengths(atmosphere, height, mu, distance);
             // A scale height of less than 1/745 of the top leaves nothing that a double can hold.
-            logs_[row * kCosines + std::size_t(i)] =
+            logs_[row * std::size_t(cosines_) + std::size_t(i)] =
                 glm::log(glm::max(lengths / distance, glm::dvec2(1e-300)));
         }
     });
@@ -78,13 +81,13 @@ glm::dvec2 OpticalLengthTable::toTop(double height, double mu) const {
     const double distance = shader::distanceToTop(air, height, mu);
     const double shortest = air.top - height;
     const double longest = std::sqrt(square) + std::sqrt(top);
-    const CubicWeights row = cubicWeights((kHeights - 1) * std::sqrt(square / top), kHeights);
+    const CubicWeights row = cubicWeights((heights_ - 1) * std::sqrt(square / top), heights_);
     const CubicWeights column =
-        cubicWeights((kCosines - 1) * (distance - shortest) / (longest - shortest), kCosines);
+        cubicWeights((cosines_ - 1) * (distance - shortest) / (longest - shortest), cosines_);
     glm::dvec2 sum(0.0);
     for (std::size_t r = 0; r < 4; ++r) {
-        const glm::dvec2* const logs =
-            &logs_[(std::size_t(row.first) + r) * kCosines + std::size_t(column.first)];
+        const glm::dvec2* const logs = &logs_[(std::size_t(row.first) + r) * std::size_t(cosines_) +
+                                              std::size_t(column.first)];
         sum += row.weights[r] * (column.weights[0] * logs[0] + column.weights[1] * logs[1] +
                                  column.weights[2] * logs[2] + column.weights[3] * logs[3]);
     }

@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-#include "reference/sky_field.h"
+#include "sky/sky_field.h"
 
 namespace ribalta {
 

@@ -1,20 +1,23 @@
 // Orders of scattering, one after the other, on a grid of heights and suns.
-#include "reference/sky_sources.h"
+#include "sky/sky_sources.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/check.h"
+#include "base/cubic_weights.h"
 #include "base/parallel_for.h"
-#include "reference/cubic_weights.h"
-#include "reference/phase_projection.h"
-#include "reference/sky_air.h"
+#include "sky/phase_projection.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+// What one order may be of the order before: no air and ground give back more than they take.
+constexpr double kLargestRatio = 0.95;
+
 /// The cosines of the sun over a path: lowest and highest.
 glm::dvec2 sunsOver(const shader::Air& air, const AirPath& path) {
     constexpr int kSteps = 32;
@@ -48,6 +51,19 @@ SkyTableSizes coarseSkyTables() {
     return sizes;
 }
 
+SkyTableSizes pictureSkyTables() {
+    SkyTableSizes sizes;
+    sizes.heights = 10;
+    sizes.suns = 32;
+    sizes.zenithAngles = 13;
+    sizes.azimuths = 7;
+    sizes.firstDirections = {10, 6, 11};
+    sizes.laterDirections = {6, 5, 5};
+    sizes.nodesOfFirst = 8;
+    sizes.nodesOfLater = 6;
+    return sizes;
+}
+
 SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
                        const SkyTableSizes& sizes, std::span<const AirPath> paths)
     : table_(&table),
@@ -56,7 +72,30 @@ SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundL
       alongFirst_(gaussRule(sizes.nodesOfFirst)),
       alongLater_(gaussRule(sizes.nodesOfLater)) {
     CHECK(orders >= 2);
-    const Atmosphere& air = table.atmosphere();
+    placeNodes();
+    wantSuns(paths, orders);
+    for (int order = 2; order <= orders; ++order) {
+        makeOrder(order);
+    }
+}
+
+SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
+                       const SkyTableSizes& sizes)
+    : table_(&table),
+      groundLightsAir_(groundLightsAir),
+      sizes_(sizes),
+      alongFirst_(gaussRule(sizes.nodesOfFirst)),
+      alongLater_(gaussRule(sizes.nodesOfLater)) {
+    CHECK(orders >= 2);
+    placeNodes();
+    wanted_.assign(std::size_t(orders - 1), std::vector<bool>(std::size_t(sizes_.suns), true));
+    for (int order = 2; order <= orders; ++order) {
+        makeOrder(order);
+    }
+}
+
+void SkySources::placeNodes() {
+    const Atmosphere& air = table_->atmosphere();
     for (int i = 0; i < sizes_.heights; ++i) {
         const double part = double(i) / (sizes_.heights - 1);
         heights_.push_back(air.topMetres * part * part);
@@ -71,10 +110,6 @@ SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundL
     for (int i = 0; i < sizes_.suns; ++i) {
         const double y = firstSun_ + (lastSun_ - firstSun_) * i / (sizes_.suns - 1);
         suns_.push_back(std::clamp(sunScale_ * std::sinh(y), -1.0, 1.0));
-    }
-    wantSuns(paths, orders);
-    for (int order = 2; order <= orders; ++order) {
-        makeOrder(order);
     }
 }
 
@@ -206,12 +241,44 @@ glm::dvec3 SkySources::irradiance(int order, double muS) const {
     return glm::max(sum, glm::dvec3(0.0));
 }
 
-glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
-                             const std::vector<PathNode>& nodes) const {
-    const shader::Air air = airOf(table_->atmosphere());
+std::array<double, 6> SkySources::at(const Grid& grid, double height, double muS,
+                                     double zenithAngle, double azimuthAngle) const {
     const std::size_t size = directionSize();
     const auto suns = std::size_t(sizes_.suns);
     const auto azimuths = std::size_t(sizes_.azimuths);
+    const CubicWeights row = cubicWeights(
+        (sizes_.heights - 1) * std::sqrt(height / table_->atmosphere().topMetres), sizes_.heights);
+    const CubicWeights sun = cubicWeights(sunPlace(muS), sizes_.suns);
+    const CubicWeights zenith =
+        cubicWeights((sizes_.zenithAngles - 1) * zenithAngle / kPi, sizes_.zenithAngles);
+    const CubicWeights azimuth =
+        cubicWeights((sizes_.azimuths - 1) * azimuthAngle / kPi, sizes_.azimuths);
+    // Four azimuths lie together.
+    std::array<float, 24> sums{};
+    for (std::size_t h = 0; h < 4; ++h) {
+        for (std::size_t s = 0; s < 4; ++s) {
+            const float* const cell =
+                &grid[((std::size_t(row.first) + h) * suns + std::size_t(sun.first) + s) * size +
+                      (std::size_t(zenith.first) * azimuths + std::size_t(azimuth.first)) * 6];
+            for (std::size_t z = 0; z < 4; ++z) {
+                const auto weight = float(row.weights[h] * sun.weights[s] * zenith.weights[z]);
+                const float* const four = cell + z * azimuths * 6;
+                for (std::size_t k = 0; k < sums.size(); ++k) {
+                    sums[k] += weight * four[k];
+                }
+            }
+        }
+    }
+    std::array<double, 6> source{};
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        source[k % 6] += azimuth.weights[k / 6] * double(sums[k]);
+    }
+    return source;
+}
+
+glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
+                             const std::vector<PathNode>& nodes) const {
+    const shader::Air air = airOf(table_->atmosphere());
     glm::dvec3 light(0.0);
     for (const PathNode& node : nodes) {
         const double mu = shader::cosineAlong(air, path.height, path.mu, node.t, node.height);
@@ -220,40 +287,39 @@ glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
         const double sines = std::sqrt((1.0 - mu * mu) * (1.0 - muS * muS));
         const double cosAzimuth =
             sines > 1e-12 ? std::clamp((path.nu - mu * muS) / sines, -1.0, 1.0) : 1.0;
-        const CubicWeights height = cubicWeights(
-            (sizes_.heights - 1) * std::sqrt(node.height / table_->atmosphere().topMetres),
-            sizes_.heights);
-        const CubicWeights sun = cubicWeights(sunPlace(muS), sizes_.suns);
-        const CubicWeights zenith =
-            cubicWeights((sizes_.zenithAngles - 1) * std::acos(mu) / kPi, sizes_.zenithAngles);
-        const CubicWeights azimuth =
-            cubicWeights((sizes_.azimuths - 1) * std::acos(cosAzimuth) / kPi, sizes_.azimuths);
-        // Four azimuths lie together.
-        std::array<float, 24> sums{};
-        for (std::size_t h = 0; h < 4; ++h) {
-            for (std::size_t s = 0; s < 4; ++s) {
-                const float* const cell =
-                    &grid[((std::size_t(height.first) + h) * suns + std::size_t(sun.first) + s) *
-                              size +
-                          (std::size_t(zenith.first) * azimuths + std::size_t(azimuth.first)) * 6];
-                for (std::size_t z = 0; z < 4; ++z) {
-                    const auto weight =
-                        float(height.weights[h] * sun.weights[s] * zenith.weights[z]);
-                    const float* const row = cell + z * azimuths * 6;
-                    for (std::size_t k = 0; k < sums.size(); ++k) {
-                        sums[k] += weight * row[k];
-                    }
-                }
-            }
-        }
-        std::array<double, 6> source{};
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-            source[k % 6] += azimuth.weights[k / 6] * double(sums[k]);
-        }
+        const std::array<double, 6> source =
+            at(grid, node.height, muS, std::acos(mu), std::acos(cosAzimuth));
         light += node.rayleigh * glm::dvec3(source[0], source[1], source[2]) +
                  node.mie * glm::dvec3(source[3], source[4], source[5]);
     }
     return glm::max(light, glm::dvec3(0.0));
+}
+
+SkySources::Grid SkySources::sum(bool closed) const {
+    const std::size_t orders = grids_.size();
+    CHECK(!closed || orders >= 3);
+    Grid sum = grids_.front();
+    for (std::size_t order = 1; order < orders; ++order) {
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            sum[i] += grids_[order][i];
+        }
+    }
+    const std::size_t size = directionSize();
+    for (std::size_t cell = 0; closed && cell < sum.size(); cell += size) {
+        for (std::size_t colour = 0; colour < 6; ++colour) {
+            double last = 0.0;
+            double before = 0.0;
+            for (std::size_t i = cell + colour; i < cell + size; i += 6) {
+                last += double(grids_[orders - 1][i]);
+                before += double(grids_[orders - 2][i]);
+            }
+            const double ratio = before > 0.0 ? std::min(last / before, kLargestRatio) : 0.0;
+            for (std::size_t i = cell + colour; i < cell + size; i += 6) {
+                sum[i] += float(ratio / (1.0 - ratio)) * grids_[orders - 1][i];
+            }
+        }
+    }
+    return sum;
 }
 
 glm::dvec3 SkySources::along(const AirPath& path, int order) const {

@@ -1,5 +1,5 @@
 // Legendre's polynomials by their recurrence, their zeros by Newton's method.
-#include "reference/gauss_rule.h"
+#include "base/gauss_rule.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,12 +1,12 @@
 // Sums of light times phase function by modes of the azimuth.
-#include "reference/phase_projection.h"
+#include "sky/phase_projection.h"
 
 #include <cmath>
 #include <numbers>
 
 #include "base/check.h"
 #include "base/parallel_for.h"
-#include "reference/sky_air.h"
+#include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {

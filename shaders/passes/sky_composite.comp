@@ -1,0 +1,119 @@
+// The sky, the planet's ground and the sun behind everything, the air in front of surfaces, and the
+// daylight that the stage's haze scatters.
+#include "passes/sky_seen.glsl"
+#include "passes/sky_haze.glsl"
+#include "shared/view.h"
+#include "lib/haze.glsl"
+#include "lib/view_ray.glsl"
+
+layout(local_size_x = kSkyGroup, local_size_y = kSkyGroup) in;
+layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
+layout(binding = kDepthUnit) uniform sampler2D depthMap;
+layout(binding = kSkyViewUnit) uniform sampler2DArray skyView;
+layout(binding = kAerialUnit) uniform sampler2DArray aerial;
+layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
+
+/// Limb darkening: the disc's radiance is that of its middle times cos^kLimb, the angle being that
+/// between ray and the sun's surface (after Hestroffer & Magnan 1998 at 680, 550, 440 nm).
+const vec3 kLimb = vec3(0.42, 0.52, 0.68);
+
+const float kEndOfHaze = 1.0e6;  // metres
+
+/// For a sun of irradiance 1.
+vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
+    float mu = dot(direction, sky.zenith.xyz);
+    float nu = clamp(dot(direction, sky.sun.xyz), -1.0, 1.0);
+    float angle = acos(clamp(mu, -1.0, 1.0));
+    float horizon = horizonAngle(air, sky.zenith.w);
+    ground = angle > horizon;
+    float u = ground ? sqrt((angle - horizon) / (kSkyPi - horizon))
+                     : sqrt((horizon - angle) / upperSpan(air, sky.zenith.w));
+    if (u > 1.0 && !ground) {
+        return vec3(0.0);
+    }
+    float azimuth = acos(skyAzimuthCosine(mu, sky.sun.w, nu)) * kSkyInversePi;
+    vec2 last = vec2(kSkyViewAzimuths - 1, kSkyViewAngles - 1);
+    vec2 uv = (vec2(azimuth, u) * last + 0.5) / (last + 1.0);
+    float layer = ground ? 2.0 : 0.0;
+    return textureLod(skyView, vec3(uv, layer), 0.0).rgb +
+           textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb * phaseCornetteShanks(nu, air.mieG);
+}
+
+/// The sun's disc, for a sun of irradiance 1.
+vec3 seenSun(Air air, vec3 direction) {
+    float radius = atmosphere.sun.w;
+    float angle = 2.0 * asin(min(0.5 * length(direction - sky.sun.xyz), 1.0));
+    float pixel = 2.0 * view.halfExtent.y * view.picture.w;
+    float covered = clamp((radius - angle) / pixel + 0.5, 0.0, 1.0);
+    if (covered <= 0.0 || radius <= 0.0) {
+        return vec3(0.0);
+    }
+    float across = min(angle / radius, 0.999);
+    vec3 limb = pow(vec3(sqrt(1.0 - across * across)), kLimb) * (0.5 * kLimb + 1.0);
+    vec4 ray = vec4(sky.zenith.w, dot(direction, sky.zenith.xyz), sky.sun.w, 1.0);
+    float entry;
+    vec3 through = intoAir(air, ray, entry) ? sunTransmittance(air, ray.x, ray.y) : vec3(1.0);
+    return covered * limb * through / (2.0 * kSkyPi * (1.0 - cos(radius)));
+}
+
+/// Daylight that the haze scatters towards the eye over a way; neither is dimmed on its way in.
+vec3 litHaze(vec3 direction, float metres) {
+    vec3 around = vec3(0.0);
+    for (int i = 0; i < 4; ++i) {
+        around += sky.irradiance[i].rgb;
+    }
+    around = (around + 2.0 * sky.irradiance[4].rgb) / 6.0 * kSkyInversePi;
+    float phase = phaseFunction(PHASE_KIND, dot(direction, sky.sun.xyz), view.haze.z, view.haze.w);
+    return view.haze.x * metres * oneMinusExpOver(view.haze.y * metres) *
+           (sky.sunLux.rgb * phase + around);
+}
+
+/// Dims `color` by the air in front of it and adds the air's light.
+vec3 throughAir(Air air, vec3 color, vec2 uv, vec3 direction, float metres) {
+    vec2 size = vec2(kAerialAcross, kAerialDown);
+    vec2 place = (uv * (size - 1.0) + 0.5) / size;
+    float depth = sqrt(clamp(metres / sky.aerial.x, 0.0, 1.0)) * float(kAerialDepths - 1);
+    float low = min(floor(depth), float(kAerialDepths - 2));
+    vec4 rest = mix(textureLod(aerial, vec3(place, low), 0.0),
+                    textureLod(aerial, vec3(place, low + 1.0), 0.0), depth - low);
+    low += float(kAerialDepths);
+    vec4 mie = mix(textureLod(aerial, vec3(place, low), 0.0),
+                   textureLod(aerial, vec3(place, low + 1.0), 0.0),
+                   depth + float(kAerialDepths) - low);
+    rest = exp(rest);
+    mie = exp(mie);
+    float nu = dot(direction, sky.sun.xyz);
+    vec3 added = metres * (rest.rgb + mie.rgb * phaseCornetteShanks(nu, air.mieG));
+    return color * airTransmittance(air, metres * rest.a, metres * mie.a) + added * atmosphere.sun.rgb;
+}
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, ivec2(view.picture.xy)))) {
+        return;
+    }
+    Air air = readAir();
+    vec2 uv = (vec2(at) + 0.5) * view.picture.zw;
+    vec3 origin = viewRayOrigin(2.0 * uv - 1.0, view.halfExtent);
+    vec3 direction = viewRayDirection(2.0 * uv - 1.0, view.halfExtent);
+    vec4 color = imageLoad(colorMap, at);
+    float depth = texelFetch(depthMap, at, 0).r;
+    if (depth > 0.0) {
+        float metres = viewDistance(depth, view.depthTerms, view.halfExtent.z) / -direction.z;
+        color.rgb = throughAir(air, color.rgb, uv, direction, metres) +
+                    litHaze(direction, metresOfHaze(origin, direction, metres));
+    } else {
+        bool ground;
+        vec3 behind = seenSky(air, direction, ground);
+        if (!ground) {
+            behind += seenSun(air, direction);
+        }
+        float metres = metresOfHaze(origin, direction, kEndOfHaze);
+        behind = behind * atmosphere.sun.rgb * transmittance(view.haze.y, metres) +
+                 litHaze(direction, metres);
+        // What is see-through has been drawn over black.
+        color.rgb += (1.0 - color.a) * behind;
+        color.a = 1.0;
+    }
+    imageStore(colorMap, at, color);
+}

@@ -1,0 +1,42 @@
+// The sky and the planet's ground as seen from the eye's height under the sun at hand, for all
+// directions. Layers: light but for what Mie's air scattered once, and that without its phase
+// function; of the upper half, then of the lower.
+#include "passes/sky_seen.glsl"
+
+layout(local_size_x = kSkyGroup, local_size_y = kSkyGroup) in;
+layout(rgba32f, binding = kSkyTableUnit) uniform writeonly image2DArray skyView;
+
+void main() {
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (at.x >= kSkyViewAzimuths || at.y >= kSkyViewAngles) {
+        return;
+    }
+    bool ground = gl_GlobalInvocationID.z == 1u;
+    Air air = readAir();
+    float u = float(at.y) / float(kSkyViewAngles - 1);
+    float h = sky.zenith.w;
+    float horizon = horizonAngle(air, h);
+    float angle = ground ? horizon + (kSkyPi - horizon) * u * u : horizon - upperSpan(air, h) * u * u;
+    float mu = cos(angle);
+    float muS = sky.sun.w;
+    float cosAzimuth = cos(kSkyPi * float(at.x) / float(kSkyViewAzimuths - 1));
+    float sines = sin(angle) * sqrt(max((1.0 - muS) * (1.0 + muS), 0.0));
+    vec4 ray = vec4(h, mu, muS, clamp(mu * muS + sines * cosAzimuth, -1.0, 1.0));
+
+    vec3 mie = vec3(0.0);
+    vec3 rest = vec3(0.0);
+    float entry;
+    if (intoAir(air, ray, entry)) {
+        float way = distanceInAir(air, ray.x, ray.y, ground);
+        SkyLight light = marchSky(air, ray, way);
+        mie = light.mie;
+        rest = light.rayleigh * phaseRayleigh(ray.w) + light.later;
+        if (ground) {
+            vec2 lengths = lengthsAlong(air, ray.x, ray.y, way, true);
+            rest += groundLight(air, ray, way, airTransmittance(air, lengths.x, lengths.y));
+        }
+    }
+    int layer = ground ? 2 : 0;
+    imageStore(skyView, ivec3(at, layer), vec4(rest, 0.0));
+    imageStore(skyView, ivec3(at, layer + 1), vec4(mie, 0.0));
+}

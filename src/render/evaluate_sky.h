@@ -1,0 +1,24 @@
+// The sky's light along listed rays, computed on the GPU by the functions that draw the sky.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sky/sky_ray.h"
+#include "sky/sky_tables.h"
+
+namespace ribalta {
+
+/// Runs a model's program over rays. Its compute shader takes shared/sky.h's SkyRayStart at
+/// kSkyRaysSlot and writes a SkyRayLight each at kSkyLightsSlot; what else it reads must be bound.
+/// Rays are brought into the air in double precision first. Needs a current context.
+std::vector<SkyLight> evaluateRays(const Atmosphere& air, std::span<const SkyRay> rays,
+                                   const std::string& shader,
+                                   const std::vector<std::string>& defines);
+
+/// By the renderer's own model, for a sun of irradiance 1.
+std::vector<SkyLight> evaluateSky(const Atmosphere& air, const SkyOrders& orders,
+                                  std::span<const SkyRay> rays);
+
+}  // namespace ribalta

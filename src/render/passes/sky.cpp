@@ -1,0 +1,118 @@
+#include "render/passes/sky.h"
+
+#include <shared/sky.h>
+#include <shared/slots.h>
+
+#include "gl/counters.h"
+
+namespace ribalta {
+namespace {
+
+constexpr double kSmallestHaze = 5.0;  // metres
+
+GLuint groups(int count) {
+    return GLuint((count + gpu::kSkyGroup - 1) / gpu::kSkyGroup);
+}
+
+Texture2D table(const std::string& label, const Texture2D::Size& size) {
+    Texture2D texture(label, GL_RGBA32F, size);
+    texture.setSampling(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+}  // namespace
+
+const SkyLighting& SkyPass::prepare(const SkyWork& work) {
+    if (work.makeTables) {
+        textures_.make(work.drawing.air, work.drawing.orders);
+    }
+    if (textures_.defines() != defines_) {
+        defines_ = textures_.defines();
+        view_ = {};
+        aerial_ = {};
+        composite_.clear();
+    }
+    if (lit_ != work.drawing) {
+        lighting_ = skyLighting(work.drawing, textures_.tables());
+        lit_ = work.drawing;
+    }
+    return lighting_;
+}
+
+void SkyPass::uploadFrame(const SkyWork& work, const Camera& camera) {
+    const glm::dmat3 turn(viewFromWorld(camera));
+    const glm::dvec3 suns = textures_.tables().suns();
+    gpu::SkyFrame frame{};
+    frame.worldFromView = worldFromView(camera);
+    frame.zenith = glm::vec4(turn * work.eye.zenith, work.eye.heightMetres);
+    frame.sun = glm::vec4(turn * work.drawing.towardsSun, work.eye.muS);
+    frame.sunward = glm::vec4(turn * lighting_.sunward, 0.0);
+    frame.suns = glm::vec4(suns, 0.0);
+    frame.aerial = glm::vec4(work.farthestMetres, 0.0, 0.0, 0.0);
+    if (!work.haze.isEmpty()) {
+        const glm::dvec3 size = glm::max(work.haze.halfSize(), glm::dvec3(kSmallestHaze));
+        frame.hazeMiddle = glm::vec4(work.haze.centre(), 0.0);
+        frame.hazePerMetre = glm::vec4(1.0 / size, 1.0);
+    }
+    frame.sunLux = glm::vec4(lighting_.sunLux, 0.0);
+    const glm::dvec3 sides[] = {lighting_.lux.up, lighting_.lux.down, lighting_.lux.towardsSun,
+                                lighting_.lux.awayFromSun, lighting_.lux.across};
+    for (int i = 0; i < 5; ++i) {
+        frame.irradiance[i] = glm::vec4(sides[i], 0.0);
+    }
+    const std::vector<gpu::SkyFrame> frames = {frame};
+    frame_.write("sky", bytesOf(frames));
+    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kSkySlot, frame_.name());
+}
+
+void SkyPass::makeTable(Program& program, const std::string& shader, const Texture2D& table,
+                        glm::ivec3 size) {
+    if (!program) {
+        program = Program({shader}, defines_);
+    }
+    glUseProgram(program.name());
+    glBindImageTexture(gpu::kSkyTableUnit, table.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    glDispatchCompute(groups(size.x), groups(size.y), GLuint(size.z));
+    ++glCounters().drawCalls;
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTargets& targets) {
+    textures_.bind();
+    if (!viewTable_) {
+        viewTable_ = table("sky view", {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 4, 1});
+    }
+    if (work.makeView) {
+        makeTable(view_, "passes/sky_view.comp", viewTable_,
+                  {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 2});
+    }
+    if (work.aerial) {
+        if (!aerialTable_) {
+            aerialTable_ = table("aerial perspective",
+                                 {gpu::kAerialAcross, gpu::kAerialDown, 2 * gpu::kAerialDepths, 1});
+        }
+        makeTable(aerial_, "passes/sky_aerial.comp", aerialTable_,
+                  {gpu::kAerialAcross, gpu::kAerialDown, gpu::kAerialDepths});
+    }
+    const int phase = int(plan.settings.haze.phase.kind);
+    Program& composite = composite_[phase];
+    if (!composite) {
+        std::vector<std::string> defines = defines_;
+        defines.push_back("PHASE_KIND " + std::to_string(phase));
+        composite = Program({"passes/sky_composite.comp"}, defines);
+    }
+    glUseProgram(composite.name());
+    glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
+    glBindTextureUnit(gpu::kSkyViewUnit, viewTable_.name());
+    glBindTextureUnit(gpu::kAerialUnit, aerialTable_.name());
+    glBindImageTexture(gpu::kColorUnit, targets.color.name(), 0, GL_FALSE, 0, GL_READ_WRITE,
+                       GL_RGBA32F);
+    // What surfaces wrote is read as an image.
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glDispatchCompute(groups(plan.settings.width), groups(plan.settings.height), 1);
+    ++glCounters().drawCalls;
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+}  // namespace ribalta

@@ -1,0 +1,63 @@
+// SkyWork: what a frame does for its sky, as data. Made on the CPU without OpenGL.
+#pragma once
+
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "render/sky_settings.h"
+#include "scene/camera.h"
+#include "scene/scene.h"
+
+namespace ribalta {
+
+/// Where the eye is in the air. The scene's origin lies `altitude` above the ground, its +Y there
+/// being the zenith; the planet curves away under it.
+struct SkyEye {
+    double heightMetres = 0.0;  ///< above the ground, not below it
+    glm::dvec3 zenith{0.0, 1.0, 0.0};
+    double muS = 1.0;  ///< cosine between sun and zenith
+    double belowMetres =
+        0.0;  ///< how far below the ground the eye stands; it looks from the ground
+
+    bool operator==(const SkyEye&) const = default;
+};
+
+SkyEye skyEye(const SkyDrawing& sky, const glm::dvec3& position);
+
+/// What the sky's table of a view was made for.
+struct SkyViewKey {
+    Atmosphere air;
+    SkyOrders orders;
+    double heightMetres = 0.0;
+    double muS = 1.0;
+
+    bool operator==(const SkyViewKey&) const = default;
+};
+
+/// What earlier frames left behind that this one may use.
+struct SkyCache {
+    std::optional<Atmosphere> air;  ///< of the tables that are there
+    SkyOrders orders;
+    std::optional<SkyViewKey> view;
+};
+
+struct SkyWork {
+    SkyDrawing drawing;
+    SkyEye eye;
+    bool makeTables = true;       ///< those of the air
+    bool makeView = true;         ///< what is seen from the eye's height
+    bool aerial = false;          ///< there are surfaces to stand in the air
+    double farthestMetres = 1.0;  ///< from the eye to the end of the scene
+    /// Its middle is that of the cloud of haze, its faces lie where that has thinned out to 1 / e.
+    Bounds haze;
+                  ///< out to 1 / e
+
+    SkyViewKey viewKey() const { return {drawing.air, drawing.orders, eye.heightMetres, eye.muS}; }
+};
+
+SkyWork planSky(const SkyDrawing& sky, const Scene& scene, const Camera& camera, bool surfaces,
+                const SkyCache& cache);
+void keepForNextFrame(const SkyWork& work, SkyCache& cache);
+
+}  // namespace ribalta

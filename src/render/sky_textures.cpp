@@ -1,0 +1,59 @@
+#include "render/sky_textures.h"
+
+#include <shared/slots.h>
+
+#include "optics/shader_lib.h"
+#include "render/describe_atmosphere.h"
+
+namespace ribalta {
+namespace {
+
+Texture2D linearTexture(const std::string& label, const Texture2D::Size& size,
+                        const std::vector<glm::vec4>& texels) {
+    Texture2D texture(label, GL_RGBA32F, size);
+    const std::size_t layer = std::size_t(size.width) * std::size_t(size.height);
+    for (std::size_t i = 0; i < texels.size() / layer; ++i) {
+        texture.write(int(i), GL_FLOAT, &texels[i * layer]);
+    }
+    texture.setSampling(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+}  // namespace
+
+void SkyTextures::make(const Atmosphere& air, const SkyOrders& orders) {
+    tables_.emplace(air, orders);
+    orders_ = orders;
+    const std::vector<gpu::Atmosphere> described = {describeAtmosphere(air)};
+    atmosphere_.write("atmosphere", bytesOf(described));
+    opticalLengths_ = Texture2D("optical lengths", GL_RG32F,
+                                {shader::kLengthCosines, shader::kLengthHeights, 0, 1});
+    opticalLengths_.write(0, GL_FLOAT, tables_->opticalLengths().data());
+    opticalLengths_.setSampling(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+    if (orders.count == 1) {
+        rayleighSources_ = {};
+        mieSources_ = {};
+        groundIrradiance_ = {};
+        return;
+    }
+    const Texture2D::Size size{shader::kSourceSuns, shader::kSourceZeniths,
+                               shader::kSourceHeights * shader::kSourceAzimuths, 1};
+    rayleighSources_ = linearTexture("Rayleigh sources", size, tables_->rayleighSources());
+    mieSources_ = linearTexture("Mie sources", size, tables_->mieSources());
+    groundIrradiance_ = linearTexture("ground irradiance", {shader::kSourceSuns, 1, 0, 1},
+                                      tables_->groundIrradiance());
+}
+
+void SkyTextures::bind() const {
+    glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kAtmosphereSlot, atmosphere_.name());
+    glBindTextureUnit(gpu::kOpticalLengthsUnit, opticalLengths_.name());
+    glBindTextureUnit(gpu::kRayleighSourcesUnit, rayleighSources_.name());
+    glBindTextureUnit(gpu::kMieSourcesUnit, mieSources_.name());
+    glBindTextureUnit(gpu::kSkyIrradianceUnit, groundIrradiance_.name());
+}
+
+std::vector<std::string> SkyTextures::defines() const {
+    return orders_.count > 1 ? std::vector<std::string>{"SOURCES"} : std::vector<std::string>{};
+}
+
+}  // namespace ribalta

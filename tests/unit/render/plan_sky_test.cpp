@@ -1,0 +1,97 @@
+// What a frame does for its sky: nothing without one, and nothing again that is there already.
+#include "render/plan_sky.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "render/frame_plan.h"
+#include "support/stage.h"
+
+namespace ribalta::test {
+namespace {
+
+struct Outdoors {
+    Scene scene;
+    Camera camera = makeCamera({0, 2, 8}, {0, 1, 0});
+    FrameSettings settings;
+    FrameCache cache;
+
+    Outdoors() {
+        settings.width = 64;
+        settings.height = 48;
+        settings.ev100 = 14.0;
+        settings.sky.emplace();
+        addShape(scene, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}), makeMaterial(glm::vec3(0.5F)));
+    }
+    /// As one frame after the other.
+    std::string nextLine() {
+        const FramePlan plan = planFrame(scene, camera, settings, cache);
+        keepForNextFrame(scene, plan, cache);
+        return plan.describe();
+    }
+};
+
+TEST(PlanSky, TablesAreMadeOnce) {
+    Outdoors stage;
+    EXPECT_EQ(stage.nextLine(), "forward sky_tables sky_view aerial sky tonemap");
+    EXPECT_EQ(stage.nextLine(), "forward aerial sky tonemap");
+}
+
+TEST(PlanSky, AMovedSunOrEyeKeepsTheAirsTables) {
+    Outdoors stage;
+    stage.nextLine();
+    stage.settings.sky->towardsSun = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
+    EXPECT_EQ(stage.nextLine(), "forward sky_view aerial sky tonemap");
+    stage.settings.sky->towardsSun = glm::normalize(glm::dvec3(0.0, 1.0, -1.0));
+    stage.camera = makeCamera({0, 2, 8}, {1, 1, 0});
+    EXPECT_EQ(stage.nextLine(), "forward sky_view aerial sky tonemap")
+        << "the zenith at the camera is not the scene's";
+    stage.camera = makeCamera({0, 2, 8}, {-1, 1, 0});
+    EXPECT_EQ(stage.nextLine(), "forward aerial sky tonemap") << "the eye stays where it is";
+    stage.camera = makeCamera({0, 3, 8}, {-1, 1, 0});
+    EXPECT_EQ(stage.nextLine(), "forward sky_view aerial sky tonemap");
+    stage.settings.sky->orders = {1, false};
+    EXPECT_EQ(stage.nextLine(), "forward sky_tables sky_view aerial sky tonemap");
+}
+
+TEST(PlanSky, NothingInViewNeedsNoAirBeforeIt) {
+    Outdoors stage;
+    stage.camera = makeCamera({0, 2, 8}, {0, 9, 20});
+    EXPECT_EQ(stage.nextLine(), "sky_tables sky_view sky tonemap");
+}
+
+TEST(PlanSky, WithoutASkyThereIsNone) {
+    Outdoors stage;
+    stage.settings.sky.reset();
+    EXPECT_EQ(stage.nextLine(), "forward tonemap");
+    EXPECT_FALSE(stage.cache.sky.air.has_value());
+}
+
+TEST(PlanSky, TheSunTakesItsLampsPlace) {
+    Outdoors stage;
+    stage.scene.directionalLights.resize(2);
+    stage.settings.sky->sunLamp = 0;
+    const FramePlan plan = planFrame(stage.scene, stage.camera, stage.settings, stage.cache);
+    EXPECT_EQ(plan.directionalLights, std::vector<int>{1});
+}
+
+TEST(PlanSky, ThePlanetCurvesAway) {
+    SkyDrawing sky;
+    sky.towardsSun = {1.0, 0.0, 0.0};
+    EXPECT_DOUBLE_EQ(skyEye(sky, {0, 1.5, 0}).heightMetres, 1.5);
+    EXPECT_NEAR(skyEye(sky, {10e3, 0.0, 0.0}).heightMetres, 1e8 / (2.0 * 6.36e6), 1e-4);
+    EXPECT_NEAR(skyEye(sky, {10e3, 0.0, 0.0}).muS, 10e3 / 6.36e6, 1e-8);
+    sky.altitudeMetres = 400e3;
+    EXPECT_NEAR(skyEye(sky, {0, 1e-3, 0}).heightMetres, 400e3 + 1e-3, 1e-8);
+}
+
+TEST(PlanSky, BelowTheGroundItLooksFromTheGround) {
+    const SkyEye eye = skyEye(SkyDrawing(), {0.0, -3.0, 0.0});
+    EXPECT_EQ(eye.heightMetres, 0.0);
+    EXPECT_NEAR(eye.belowMetres, 3.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace ribalta::test

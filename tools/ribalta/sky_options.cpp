@@ -1,0 +1,121 @@
+#include "sky_options.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <CLI/CLI.hpp>
+
+#include "base/log.h"
+#include "options.h"
+#include "parse_number.h"
+
+namespace ribalta {
+namespace {
+
+constexpr double kHighestMetres = 1e9;
+constexpr const char* kSunOfNoLamp = "30,135";
+
+// From elevation and azimuth in degrees.
+glm::dvec3 parseSun(const std::string& text) {
+    const std::size_t comma = text.find(',');
+    const auto elevation = parseNumber<double>(text.substr(0, comma));
+    const auto azimuth =
+        comma == std::string::npos ? std::nullopt : parseNumber<double>(text.substr(comma + 1));
+    if (!elevation || !azimuth || std::abs(*elevation) > 90.0 || std::abs(*azimuth) > 360.0) {
+        throw CLI::ValidationError(
+            "--sun", "'" + text + "' is not ELEVATION,AZIMUTH in degrees, -90..90 and -360..360");
+    }
+    const double up = *elevation * std::numbers::pi / 180.0;
+    const double around = *azimuth * std::numbers::pi / 180.0;
+    return {std::cos(up) * std::sin(around), std::sin(up), -std::cos(up) * std::cos(around)};
+}
+
+std::string expectAltitude(const std::string& text) {
+    const double metres = parseNumber<double>(text).value_or(-1.0);
+    return metres >= 0.0 && metres <= kHighestMetres
+               ? ""
+               : "'" + text + "' is not a height above the ground in metres, 0..1e9";
+}
+
+std::string expectOrders(const std::string& text) {
+    const int orders = parseNumber<int>(text).value_or(0);
+    return orders >= 1 && orders <= kMostTabulatedOrders
+               ? ""
+               : "'" + text + "' is not a whole number in 1.." +
+                     std::to_string(kMostTabulatedOrders);
+}
+
+}  // namespace
+
+void SkyOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--sky", sky,
+                    "none, or auto: sky, sun and the air in front of everything, in daylight's "
+                    "true brightness")
+        ->type_name("none|auto")
+        ->check(
+            [](const std::string& text) {
+                return text == "none" || text == "auto"
+                           ? ""
+                           : "there is no sky '" + text + "'; there are: none, auto";
+            },
+            "")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--sun", sun,
+            "where the sun stands, in degrees: elevation above the horizon and azimuth from "
+            "north (-Z) through east (+X) (default: the file's first directional lamp, or "
+            "30,135)")
+        ->type_name("ELEVATION,AZIMUTH");
+    command
+        .add_option("--altitude", altitude,
+                    "height of the scene's origin above the planet's ground in metres (default: 0)")
+        ->type_name("METRES")
+        ->check(expectAltitude, "");
+    command
+        .add_option("--sky-orders", orders,
+                    "how often light may be scattered or reflected by air and ground, 1..20 "
+                    "(default: as often as it happens)")
+        ->type_name("COUNT")
+        ->check(expectOrders, "");
+}
+
+void SkyOptions::check() const {
+    if (sun) {
+        parseSun(*sun);
+    }
+    if (sky == "none" && (sun || altitude || orders)) {
+        throw CLI::ValidationError(sun        ? "--sun"
+                                   : altitude ? "--altitude"
+                                              : "--sky-orders",
+                                   "needs a sky: give --sky auto");
+    }
+}
+
+std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
+    check();
+    if (sky == "none") {
+        return std::nullopt;
+    }
+    SkyDrawing drawing;
+    drawing.altitudeMetres = altitude.value_or(0.0);
+    if (orders) {
+        drawing.orders = {*orders, false};
+    }
+    drawing.sunLamp = scene.directionalLights.empty() ? -1 : 0;
+    if (sun) {
+        drawing.towardsSun = parseSun(*sun);
+    } else if (drawing.sunLamp == 0) {
+        drawing.towardsSun = -scene.directionalLights.front().direction;
+        logNote("sky: the sun stands where the directional lamp '" +
+                scene.directionalLights.front().name + "' shines from, in its place");
+    } else {
+        drawing.towardsSun = parseSun(kSunOfNoLamp);
+        logNote(std::string("sky: the file has no directional lamp; the sun stands at ") +
+                kSunOfNoLamp + ", give --sun ELEVATION,AZIMUTH for another place");
+    }
+    return drawing;
+}
+
+}  // namespace ribalta

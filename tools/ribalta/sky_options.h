@@ -1,0 +1,33 @@
+// The options that say which sky a scene stands under.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/sky_settings.h"
+#include "scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ribalta {
+
+/// The texts of --sky, --sun, --altitude and --sky-orders. Must outlive the parsing of the command
+/// it is added to.
+struct SkyOptions {
+    std::string sky = "none";
+    std::optional<std::string> sun;
+    std::optional<double> altitude;
+    std::optional<int> orders;
+
+    void addTo(CLI::App& command);
+
+    /// What they mean for a scene; none: no sky. Says on stderr which sun is taken where it was not
+    /// said. Throws CLI::ValidationError that says what was expected.
+    std::optional<SkyDrawing> parsed(const Scene& scene) const;
+    /// The same checks without a scene.
+    void check() const;
+};
+
+}  // namespace ribalta
