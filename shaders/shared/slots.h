@@ -10,6 +10,7 @@ const int kDrawSlot = 2;      // a window onto the draw at hand
 const int kMaterialSlot = 3;  // a window onto its material
 const int kAtmosphereSlot = 4;
 const int kSkySlot = 5;
+const int kPrecomputedSkySlot = 6;
 // Shader storage.
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
@@ -41,8 +42,22 @@ const int kSkyIrradianceUnit = 12;
 const int kSkyViewUnit = 13;
 const int kAerialUnit = 14;
 const int kSkyTableUnit = 0;  // an image
+const int kSkyTransmittanceUnit = 9;  // of a precomputed sky, which has no other tables
+const int kSkyPlaneUnit = 10;
+const int kSkyScatteringUnit = 11;
+const int kSkyMieUnit = 12;
 const int kPyramidUnit = 0;  // an image, as kColorUnit, kBeamLatticeUnit ... are
 const int kMaterialTexturesUnit = 4;  // five of them, as kBaseColorTexture ... below
+// Images of the sky's tables while they are made.
+const int kSkyScatteringImage = 0;
+const int kSkyMieImage = 1;
+const int kSkyOrderImage = 2;
+const int kSkyPlaneImage = 3;
+const int kSkyIrradianceImage = 4;
+// Uniforms of the passes over a volume.
+const int kSkyLayerLocation = 0;
+const int kSkyFirstRowLocation = 1;
+const int kSkyEndRowLocation = 2;
 // Vertex attributes.
 const int kPositionAttribute = 0;
 const int kNormalAttribute = 1;

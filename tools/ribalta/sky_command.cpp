@@ -1,46 +1,37 @@
 #include "sky_command.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <variant>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include "base/check.h"
-#include "base/error.h"
+#include "base/log.h"
 #include "base/parallel_for.h"
 #include "base/progress.h"
 #include "base/read_file.h"
 #include "base/temporary_file.h"
 #include "gl/context.h"
-#include "parse_number.h"
 #include "reference/integrate_sky.h"
+#include "render/evaluate_baseline_sky.h"
 #include "render/evaluate_sky.h"
+#include "render/passes/sky_precomputed.h"
 #include "scene/atmosphere.h"
+#include "sky_model_options.h"
 #include "sky_points.h"
 
 namespace ribalta {
 namespace {
 
-enum class SkyModel { kReference, kAuto };
-
-const std::map<std::string, SkyModel>& modelsByName() {
-    static const std::map<std::string, SkyModel> models = {{"reference", SkyModel::kReference},
-                                                           {"auto", SkyModel::kAuto}};
-    return models;
-}
-
 struct SkyPointsOptions {
     std::string points;
     std::string output;
-    std::string model = "reference";
-    int orders = 4;
+    SkyModelOptions model;
     bool rayleighOnly = false;
+    bool verbose = false;
 };
 
 std::vector<SkyLight> integrate(const Atmosphere& air, int orders,
@@ -58,20 +49,37 @@ std::vector<SkyLight> integrate(const Atmosphere& air, int orders,
     return lights;
 }
 
-std::vector<SkyLight> evaluate(const SkyPointsOptions& options, const std::vector<SkyRay>& rays) {
-    const Atmosphere air = options.rayleighOnly ? withoutMie(Atmosphere()) : Atmosphere();
-    switch (modelsByName().at(options.model)) {
-        case SkyModel::kReference:
-            return integrate(air, options.orders, rays);
-        case SkyModel::kAuto: {
-            const Context context;
-            return evaluateSky(air, {options.orders, false}, rays);
-        }
+void logCost(const SkyCost& cost) {
+    char line[160];
+    std::snprintf(line, sizeof line,
+                  "tables: %.0f KB kept, %.0f KB at most; %.3f s, %.3f s of processors, %.3f s by "
+                  "the driver's clock; %d dispatches",
+                  double(cost.keptBytes) / 1024.0, double(cost.peakBytes) / 1024.0,
+                  cost.wallSeconds, cost.cpuSeconds, cost.gpuSeconds, cost.dispatches);
+    logVerbose(line);
+}
+
+std::vector<SkyLight> evaluate(const SkyModel& model, bool rayleighOnly,
+                               const std::vector<SkyRay>& rays) {
+    const Atmosphere air = rayleighOnly ? withoutMie(Atmosphere()) : Atmosphere();
+    if (const auto* reference = std::get_if<ReferenceSky>(&model)) {
+        return integrate(air, reference->orders, rays);
     }
-    checkFailed("a model that is known", __FILE__, __LINE__);
+    const Context context;
+    if (const auto* own = std::get_if<AutoSky>(&model)) {
+        return evaluateSky(air, {own->orders, false}, rays);
+    }
+    if (const auto* chapman = std::get_if<ChapmanSky>(&model)) {
+        return evaluateChapmanSky(air, *chapman, rays);
+    }
+    const PrecomputedSky sky(air, std::get<PrecomputedSkySettings>(model));
+    logCost(sky.cost());
+    return evaluatePrecomputedSky(sky, rays);
 }
 
 void writeSkyTable(const SkyPointsOptions& options) {
+    setVerbose(options.verbose);
+    const SkyModel model = options.model.parsed();
     const bool toFile = options.output != "-";
     if (toFile) {
         const TemporaryFile probe(options.output);
@@ -79,30 +87,12 @@ void writeSkyTable(const SkyPointsOptions& options) {
     const std::vector<std::byte> bytes = readFile(options.points);
     const SkyPoints points =
         parseSkyPoints({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, options.points);
-    const std::string table = skyTable(points, evaluate(options, points.rays));
+    const std::string table = skyTable(points, evaluate(model, options.rayleighOnly, points.rays));
     if (toFile) {
         writeFileAtomically(options.output, table);
     } else {
         std::fwrite(table.data(), 1, table.size(), stdout);
     }
-}
-
-std::string expectModel(const std::string& text) {
-    if (modelsByName().contains(text)) {
-        return "";
-    }
-    std::string names;
-    for (const auto& [name, model] : modelsByName()) {
-        names += (names.empty() ? "" : ", ") + name;
-    }
-    return "there is no model '" + text + "'; there are: " + names;
-}
-
-std::string expectOrders(const std::string& text) {
-    const std::optional<int> value = parseNumber<int>(text);
-    return value && *value >= 1 && *value <= kMostSkyOrders
-               ? ""
-               : "'" + text + "' is not a whole number in 1.." + std::to_string(kMostSkyOrders);
 }
 
 }  // namespace
@@ -126,20 +116,9 @@ void addSkyCommand(CLI::App& app) {
             "the ground, of albedo 0.1, reflects straight into the ray)")
         ->type_name("FILE.csv|-")
         ->required();
-    command
-        ->add_option("--model", options->model,
-                     "what computes it: reference, the integral in double precision; auto, the "
-                     "renderer's own shaders")
-        ->type_name("NAME")
-        ->check(expectModel, "")
-        ->capture_default_str();
-    command
-        ->add_option("--orders", options->orders,
-                     "how often light may be scattered or reflected, 1..20")
-        ->type_name("COUNT")
-        ->check(expectOrders, "")
-        ->capture_default_str();
+    options->model.addTo(*command);
     command->add_flag("--rayleigh-only", options->rayleighOnly, "air without haze (Mie)");
+    command->add_flag("--verbose", options->verbose, "say what tables took");
     command->callback([options] { writeSkyTable(*options); });
 }
 

@@ -1,0 +1,28 @@
+// What a ray brings by Schuler's model, or with SKY_CHAPMAN_BETTER with the better form of Chapman's
+// function; SKY_SEGMENTS segments.
+#include "passes/sky_air.glsl"
+#include "lib/phase_function.glsl"
+#include "lib/chapman.glsl"
+#include "lib/sky_chapman.glsl"
+
+#ifdef SKY_CHAPMAN_BETTER
+const bool kBetter = true;
+#else
+const bool kBetter = false;
+#endif
+
+/// Irradiance of the ground by the sun alone.
+vec3 groundIrradiance(Air air, float muS) {
+    return chapmanSunlight(air, 0.0, muS, kBetter) * max(muS, 0.0);
+}
+
+/// `start`: height, mu, muS, nu. A ray that is cut is marched as any other.
+void skyAlong(Air air, vec4 start, float length1, bool ground, bool cut, OUT(vec3) transmittance,
+              OUT(vec3) light) {
+    float there = clamp(heightAlong(air, start.x, start.y, length1), 0.0, air.top);
+    float muThere = cosineAlong(air, start.x, start.y, length1, there);
+    transmittance = chapmanTransmittance(
+        air, chapmanBetween(air, start.x, start.y, there, muThere, ground, kBetter));
+    light = chapmanLight(air, start.x, start.y, start.z, start.w, length1, ground, SKY_SEGMENTS,
+                         kBetter);
+}
