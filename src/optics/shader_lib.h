@@ -18,6 +18,7 @@ namespace ribalta::shader {
 namespace {
 
 using glm::abs;
+using glm::atan;
 using glm::clamp;
 using glm::cross;
 using glm::dot;
@@ -30,13 +31,16 @@ using glm::min;
 using glm::mix;
 using glm::pow;
 using glm::sqrt;
+using glm::tan;
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
 
 // NOLINTBEGIN: GLSL's spelling
 #define float double
 #define OUT(T) T&
-// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it, air_shell.glsl air.glsl.
+// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it, air_shell.glsl air.glsl, the
+// sky's files what they say.
 // clang-format off
 #include "lib/phase_function.glsl"
 #include "lib/spot_light.glsl"
@@ -51,6 +55,9 @@ using vec3 = glm::dvec3;
 #include "lib/air.glsl"
 #include "lib/air_shell.glsl"
 #include "lib/chapman.glsl"
+#include "lib/sky_chapman.glsl"
+#include "lib/sky_mapping.glsl"
+#include "lib/sky_mapping_2008.glsl"
 #include "lib/sky_tables.glsl"
 // clang-format on
 #undef OUT

@@ -55,6 +55,34 @@ class Tables(CommandTest):
         self.assertEqual(lights, sorted(set(lights)))
         self.assertLess(lights[2], 2 * lights[0])
 
+    def test_models_of_the_literature(self):
+        small = "--table-size=16x32x32x4"
+        [reference] = self.table(HEADER + ZENITH, "--orders=2")
+        [once] = self.table(HEADER + ZENITH, "--orders=1")
+        [clean] = self.table(HEADER + ZENITH, "--orders=1", "--rayleigh-only")
+        for right, off, options in [
+            (reference, 0.06, ["--model=bruneton", "--orders=2", small]),
+            (reference, 0.06, ["--model=bruneton", "--orders=2", small, "--precision=single",
+                               "--irradiance-size=32x8", "--transmittance-size=128x32"]),
+            (once, 0.02, ["--model=single", small]),
+            (once, 0.08, ["--model=single", "--texels=2008", "--table-size=16x64x64x1"]),
+            (clean, 0.04, ["--model=single", small, "--rayleigh-only"]),
+            (clean, 0.05, ["--model=chapman"]),
+            (clean, 0.002, ["--model=chapman", "--chapman=better", "--segments=100"]),
+        ]:
+            [row] = self.table(HEADER + ZENITH, *options)
+            for name in NEW:
+                self.assertAlmostEqual(float(row[name]) / float(right[name]), 1, delta=off,
+                                       msg=f"{options} {name}")
+
+    def test_says_what_tables_took(self):
+        self.write("points.csv", (HEADER + ZENITH).encode())
+        told = self.expect_done("sky", "--points", "points.csv", "-o", "-", "--model=single",
+                                "--table-size=8x16x16x4", "--verbose").stderr
+        # Two of 8 x 16 x 64 texels and one of 256 x 64, of 8 and 16 bytes.
+        self.assertIn("384 KB kept", told)
+        self.assertIn("dispatches", told)
+
     def test_the_renderers_own_model_is_close_to_the_reference(self):
         [auto] = self.table(HEADER + ZENITH, "--model=auto")
         [reference] = self.table(HEADER + ZENITH)
@@ -104,6 +132,27 @@ class WrongUsage(CommandTest):
         self.refuse(USAGE, ["'fast'", "reference"], good, "--model=fast")
         for orders in ["0", "21", "many", "1.5"]:
             self.refuse(USAGE, [f"'{orders}'", "1..20"], good, f"--orders={orders}")
+        for options, words in [
+            (["--model=bruneton", "--table-size=32x128x32"], ["'32x128x32'", "four sizes"]),
+            (["--model=bruneton", "--table-size=32x127x32x8"], ["'32x127x32x8'", "even"]),
+            (["--model=single", "--table-size=1x8x8x1"], ["'1x8x8x1'", "at least 2"]),
+            (["--model=single", "--table-size=8x8x4096x2"], ["at most 4096"]),
+            (["--model=single", "--table-size=ax8x8x1"], ["'ax8x8x1'"]),
+            (["--model=bruneton", "--transmittance-size=256"], ["'256'", "two sizes"]),
+            (["--model=bruneton", "--irradiance-size=1x16"], ["'1x16'", "2..4096"]),
+            (["--model=bruneton", "--precision=double"], ["--precision", "double"]),
+            (["--model=chapman", "--chapman=best"], ["--chapman", "best"]),
+            (["--model=chapman", "--segments=0"], ["--segments"]),
+            (["--model=chapman", "--orders=2"], ["--orders", "chapman", "once"]),
+            (["--model=single", "--orders=4"], ["--orders", "single", "once"]),
+            (["--model=chapman", "--table-size=8x8x8x1"], ["--table-size", "chapman"]),
+            (["--model=single", "--irradiance-size=8x8"], ["--irradiance-size", "single"]),
+            (["--model=bruneton", "--segments=8"], ["--segments", "bruneton"]),
+            (["--model=bruneton", "--texels=2008"], ["--texels", "bruneton"]),
+            (["--chapman=better"], ["--chapman", "reference"]),
+            (["--precision=half"], ["--precision", "reference"]),
+        ]:
+            self.refuse(USAGE, words, good, *options)
         self.expect_error(USAGE, ["--points"], "sky", "-o", "out.csv")
         self.expect_error(USAGE, ["--output"], "sky", "--points", "points.csv")
         self.expect_error(JOB_FAILED, ["nowhere", "folder"], "sky", "--points", "points.csv",

@@ -189,7 +189,9 @@ class PrecomputedSky::Maker {
 
     void makeTransmittance(const std::vector<std::string>& extra = {}) {
         timer_.begin("transmittance");
-        sky_.transmittance_ = makePlane("sky transmittance", settings_.transmittance);
+        if (!sky_.transmittance_) {
+            sky_.transmittance_ = makePlane("sky transmittance", settings_.transmittance);
+        }
         sky_.bind();
         bindImage(gpu::kSkyPlaneImage, sky_.transmittance_.name(), false, GL_WRITE_ONLY,
                   GL_RGBA32F);

@@ -11,6 +11,7 @@ namespace ribalta::shader_float {
 namespace {
 
 using glm::abs;
+using glm::atan;
 using glm::clamp;
 using glm::cross;
 using glm::dot;
@@ -21,8 +22,10 @@ using glm::min;
 using glm::mix;
 using glm::pow;
 using glm::sqrt;
+using glm::tan;
 using vec2 = glm::vec2;
 using vec3 = glm::vec3;
+using vec4 = glm::vec4;
 
 // clang-format off
 #define OUT(T) T&
@@ -36,6 +39,9 @@ using vec3 = glm::vec3;
 #include "air.glsl"
 #include "air_shell.glsl"
 #include "chapman.glsl"
+#include "sky_chapman.glsl"
+#include "sky_mapping.glsl"
+#include "sky_mapping_2008.glsl"
 #undef OUT
 // clang-format on
 

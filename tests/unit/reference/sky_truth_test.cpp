@@ -1,16 +1,8 @@
 // The sky's reference against independent tables of the same model: those of another program, in 22
-// digits for single scattering, by random walks for more. They are not part of the project:
-// RIBALTA_SKY_TRUTH, or ../shared/truth beside the checkout, with sky.csv, aerial.csv and
-// irradiance.csv.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
+// digits for single scattering, by random walks for more (support/sky_truth.h).
+#include "support/sky_truth.h"
+
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -18,114 +10,30 @@
 #include "base/parallel_for.h"
 #include "reference/integrate_sky.h"
 
-namespace ribalta {
+namespace ribalta::test {
 namespace {
-
-constexpr double kDarkest = 1e-6;  // radiance from which on a relative error counts
-
-std::filesystem::path truthFolder() {
-    const char* given = std::getenv("RIBALTA_SKY_TRUTH");
-    return given != nullptr ? std::filesystem::path(given)
-                            : std::filesystem::path(RIBALTA_SOURCE_DIR) / "../shared/truth";
-}
-
-using Row = std::map<std::string, std::string>;
-
-std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> cells(1);
-    for (const char c : line) {
-        if (c == ',') {
-            cells.emplace_back();
-        } else if (c != '\r') {
-            cells.back() += c;
-        }
-    }
-    return cells;
-}
-
-std::vector<Row> readRows(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    std::string line;
-    std::getline(stream, line);
-    const std::vector<std::string> names = split(line);
-    std::vector<Row> rows;
-    while (std::getline(stream, line)) {
-        const std::vector<std::string> cells = split(line);
-        Row row;
-        for (std::size_t i = 0; i < std::min(names.size(), cells.size()); ++i) {
-            row[names[i]] = cells[i];
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
-
-double number(const Row& row, const std::string& name) {
-    return std::stod(row.at(name));
-}
-
-SkyRay rayOf(const Row& row) {
-    SkyRay ray{1000.0 * number(row, "alt_km"), number(row, "mu"), number(row, "mu_s"),
-               number(row, "nu")};
-    if (row.contains("d_km")) {
-        ray.distanceMetres = 1000.0 * number(row, "d_km");
-    }
-    return ray;
-}
-
-/// How far values are off, in parts of what they should be.
-class Errors {
-  public:
-    void add(const Row& row, const std::string& columns, const glm::dvec3& got,
-             double darkest = kDarkest) {
-        for (int c = 0; c < 3; ++c) {
-            const double right = number(row, columns + "_" + "rgb"[c]);
-            if (right > darkest) {
-                errors_.push_back(std::abs(got[c] / right - 1.0));
-            }
-        }
-    }
-    /// Bounds of the median, of 90, 95 and 100 % of the errors.
-    void expectBelow(const char* what, const std::array<double, 4>& bounds) {
-        ASSERT_GT(errors_.size(), 10U) << what;
-        std::sort(errors_.begin(), errors_.end());
-        const auto quantile = [&](double part) {
-            return errors_[std::min(errors_.size() - 1,
-                                    std::size_t(part * double(errors_.size())))];
-        };
-        constexpr std::array<double, 4> kParts = {0.5, 0.9, 0.95, 1.0};
-        std::printf("%s of %zu: median %.2g, p90 %.2g, p95 %.2g, largest %.2g\n", what,
-                    errors_.size(), quantile(0.5), quantile(0.9), quantile(0.95), quantile(1.0));
-        for (std::size_t i = 0; i < kParts.size(); ++i) {
-            EXPECT_LE(quantile(kParts[i]), bounds[i]) << what << ", " << kParts[i];
-        }
-    }
-
-  private:
-    std::vector<double> errors_;
-};
 
 class SkyTruth : public testing::Test {
   protected:
     void SetUp() override {
         if (!std::filesystem::exists(truthFolder() / "sky.csv")) {
-            GTEST_SKIP() << "no tables in " << truthFolder() << "; set RIBALTA_SKY_TRUTH";
+            GTEST_SKIP() << kNoTruth << truthFolder();
         }
-        rows_ = readRows(truthFolder() / "sky.csv");
-        for (const Row& row : rows_) {
+        rows_ = readTruth(truthFolder() / "sky.csv");
+        for (const TruthRow& row : rows_) {
             rays_.push_back(rayOf(row));
         }
     }
 
-    std::vector<Row> rows_;
+    std::vector<TruthRow> rows_;
     std::vector<SkyRay> rays_;
 };
 
 TEST_F(SkyTruth, TransmittanceAndLightScatteredOnce) {
     const SkyIntegrator sky(Atmosphere(), {.orders = 1}, rays_);
     const SkyIntegrator clean(withoutMie(Atmosphere()), {.orders = 1}, rays_);
-    Errors transmittance;
-    Errors single;
+    SkyErrors transmittance;
+    SkyErrors single;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         transmittance.add(rows_[i], "T", sky.transmittanceAlong(rays_[i]));
         transmittance.add(rows_[i], "Tray", clean.transmittanceAlong(rays_[i]));
@@ -141,9 +49,9 @@ TEST_F(SkyTruth, TransmittanceAndLightScatteredOnce) {
 TEST_F(SkyTruth, RaysThatEnd) {
     const SkyIntegrator sky(Atmosphere(), {.orders = 1}, {});
     const SkyIntegrator clean(withoutMie(Atmosphere()), {.orders = 1}, {});
-    Errors transmittance;
-    Errors single;
-    for (const Row& row : readRows(truthFolder() / "aerial.csv")) {
+    SkyErrors transmittance;
+    SkyErrors single;
+    for (const TruthRow& row : readTruth(truthFolder() / "aerial.csv")) {
         const SkyRay ray = rayOf(row);
         transmittance.add(row, "T", sky.transmittanceAlong(ray));
         transmittance.add(row, "Tray", clean.transmittanceAlong(ray));
@@ -163,7 +71,7 @@ TEST_F(SkyTruth, LightScatteredTwice) {
     }
     std::vector<glm::dvec3> light(some.size());
     parallelFor(some.size(), [&](std::size_t i) { light[i] = sky.orderAlong(rays_[some[i]], 2); });
-    Errors errors;
+    SkyErrors errors;
     for (std::size_t i = 0; i < some.size(); ++i) {
         errors.add(rows_[some[i]], "L2", light[i]);
     }
@@ -180,8 +88,8 @@ TEST_F(SkyTruth, FourOrdersWithAndWithoutTheGround) {
     const SkyIntegrator sky(Atmosphere(), settings, rays_);
     std::vector<SkyLight> lights(rays_.size());
     parallelFor(rays_.size(), [&](std::size_t i) { lights[i] = sky.along(rays_[i]); });
-    Errors air;
-    Errors ground;
+    SkyErrors air;
+    SkyErrors ground;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         air.add(rows_[i], "Lsum4", lights[i].air);
         ground.add(rows_[i], "Ltot4", lights[i].air + lights[i].ground);
@@ -191,9 +99,9 @@ TEST_F(SkyTruth, FourOrdersWithAndWithoutTheGround) {
 }
 
 TEST_F(SkyTruth, IrradianceOfTheGround) {
-    const std::vector<Row> rows = readRows(truthFolder() / "irradiance.csv");
+    const std::vector<TruthRow> rows = readTruth(truthFolder() / "irradiance.csv");
     std::vector<SkyRay> rays;
-    for (const Row& row : rows) {
+    for (const TruthRow& row : rows) {
         const double muS = number(row, "mu_s");
         rays.push_back({0.0, 1.0, muS, muS});
     }
@@ -201,9 +109,9 @@ TEST_F(SkyTruth, IrradianceOfTheGround) {
     settings.orders = 3;
     settings.tables = coarseSkyTables();
     const SkyIntegrator sky(Atmosphere(), settings, rays);
-    Errors direct;
-    Errors first;
-    Errors later;
+    SkyErrors direct;
+    SkyErrors first;
+    SkyErrors later;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         direct.add(rows[i], "Edir", sky.irradiance(0, rays[i].muS));
         first.add(rows[i], "E1", sky.irradiance(1, rays[i].muS));
@@ -215,4 +123,4 @@ TEST_F(SkyTruth, IrradianceOfTheGround) {
 }
 
 }  // namespace
-}  // namespace ribalta
+}  // namespace ribalta::test
