@@ -51,7 +51,6 @@ struct SkyWork {
     double farthestMetres = 1.0;  ///< from the eye to the end of the scene
     /// Its middle is that of the cloud of haze, its faces lie where that has thinned out to 1 / e.
     Bounds haze;
-                  ///< out to 1 / e
 
     SkyViewKey viewKey() const { return {drawing.air, drawing.orders, eye.heightMetres, eye.muS}; }
 };

@@ -131,7 +131,8 @@ SkyTables::SkyTables(const Atmosphere& atmosphere, const SkyOrders& orders)
         return std::clamp(sources.sunScale() * std::sinh(y), -1.0, 1.0);
     };
     parallelFor(layers, [&](std::size_t layer) {
-        const double part = double(layer / azimuths) / (shader::kSourceHeights - 1);
+        const std::size_t heightRow = layer / azimuths;
+        const double part = double(heightRow) / (shader::kSourceHeights - 1);
         const double height = impl_->air().topMetres * part * part;
         const double azimuth = kPi * double(layer % azimuths) / double(azimuths - 1);
         for (std::size_t row = 0; row < rows; ++row) {

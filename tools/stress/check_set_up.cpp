@@ -25,8 +25,9 @@ constexpr double kBeforeSurface = 1e-4;
 /// Roundings that a ray's place and direction may have gathered.
 constexpr double kRoundings = 8.0;
 /// By how much of the screen's full scale `adaptive` may be off between the points that it samples:
-/// three times its default tolerance, since it only estimates: where the light turns up halfway between
-/// two points it is twice as far off as they tell, and the tone curve is steeper on the dark side.
+/// three times its default tolerance, since it only estimates: where the light turns up halfway
+/// between two points it is twice as far off as they tell, and the tone curve is steeper on the
+/// dark side.
 constexpr double kInterpolation = 0.06;
 /// Points at which the reference asks for shadows, half of them even in the lamp's projection.
 constexpr int kProbes = 2048;
