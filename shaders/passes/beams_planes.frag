@@ -49,7 +49,7 @@ vec3 sheetLight() {
         vec3 at = shadowCoordinates(slope, 1.0 / place.z, lamp.shadow.x, lamp.shadow.y);
         factor *= texture(shadowMaps, vec4(at.xy, float(lamp.layers.x), at.z));
     }
-    vec3 light = lamp.candela.rgb * factor;
+    vec3 light = lamp.candela.rgb * lamp.towardsEye.rgb * factor;
 #ifdef LIGHT_MAPS
     if (lamp.layers.y >= 0) {
         vec2 uv = lightMapUv(slope, lamp.projection.x, lamp.projection.y, lamp.projection.z);

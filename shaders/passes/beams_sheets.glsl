@@ -201,7 +201,7 @@ vec3 beamRadiance(SpotLamp lamp, PixelRay ray, inout float beamEnd) {
         i += 1.0;
     } while (i < stop);
 #endif
-    return hit ? sum * lamp.candela.rgb * (wholeStep(part) / count) : vec3(0.0);
+    return hit ? sum * lamp.candela.rgb * lamp.towardsEye.rgb * (wholeStep(part) / count) : vec3(0.0);
 }
 
 /// Light of a stretch of tileLamps: its first entry and their number, at least one.

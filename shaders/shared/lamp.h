@@ -11,6 +11,7 @@ struct SpotLamp {
     vec4 projection;  // 1 / tan outer; cos, sin of the light map's rotation; 1 where a pyramid
     vec4 shadow;      // 1 / tan of the shadow map's half angle; its near plane in metres; the size of a
                       // texel at unit depth; side in texels
+    vec4 towardsEye;  // R, G, B: what the planet's air leaves of the beam's light on its way there
     ivec4 layers;     // shadow map, light map (-1: none); side of the light map in texels
 };
 

@@ -281,7 +281,7 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
     planForward(scene, visible, plan);
     if (settings.sky) {
         std::erase(plan.directionalLights, settings.sky->sunLamp);
-        plan.sky = planSky(*settings.sky, scene, camera, plan.forward.has_value(), cache.sky);
+        plan.sky = planSky(scene, camera, settings, plan.forward.has_value(), cache.sky);
     }
     if (settings.haze.scatteringPerMetre > 0.0) {
         planBeams(scene, outlines, cache, plan);
@@ -338,7 +338,7 @@ std::string FramePlan::describe() const {
     }
     if (sky) {
         add(std::string(sky->makeTables ? "sky_tables " : "") + (sky->makeView ? "sky_view " : "") +
-            (sky->aerial ? "aerial " : "") + "sky");
+            (sky->makeAerial ? "aerial " : "") + "sky");
     }
     if (beams) {
         const bool planes = beams->settings.method == BeamMethod::kPlanes;

@@ -141,9 +141,15 @@ void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene&
     std::vector<gpu::SpotLamp> spots;
     std::vector<gpu::SpotCone> cones;
     for (const PlannedLamp& lamp : plan.lamps) {
-        spots.push_back(describeSpot(scene.spotLights[std::size_t(lamp.spot)], lamp.shadowLayer,
-                                     fromView, plan.shadowMaps.side, gpuScene));
-        cones.push_back(describeCone(scene.spotLights[std::size_t(lamp.spot)], fromWorld));
+        const SpotLight& spot = scene.spotLights[std::size_t(lamp.spot)];
+        spots.push_back(
+            describeSpot(spot, lamp.shadowLayer, fromView, plan.shadowMaps.side, gpuScene));
+        spots.back().towardsEye =
+            glm::vec4(plan.sky ? transmittanceBetween(plan.sky->drawing, plan.camera.frame.position,
+                                                      spot.frame.position)
+                               : glm::dvec3(1.0),
+                      1.0);
+        cones.push_back(describeCone(spot, fromWorld));
     }
     uploadList(spotLamps_, "spot lamps", gpu::kLampsSlot, spots);
     uploadList(spotCones_, "spot cones", gpu::kSpotConesSlot, cones);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sky/sky_air.h"
+
 namespace ribalta {
 
 namespace {
@@ -42,20 +44,35 @@ SkyEye skyEye(const SkyDrawing& sky, const glm::dvec3& position) {
     return eye;
 }
 
-SkyWork planSky(const SkyDrawing& sky, const Scene& scene, const Camera& camera, bool surfaces,
-                const SkyCache& cache) {
+glm::dvec3 transmittanceBetween(const SkyDrawing& sky, const glm::dvec3& from,
+                                const glm::dvec3& to) {
+    const shader::Air air = airOf(sky.air);
+    glm::dvec3 extinction(0.0);
+    for (int i = 0; i < 3; ++i) {  // Simpson's rule
+        const double height = skyEye(sky, glm::mix(from, to, 0.5 * i)).heightMetres;
+        if (height <= air.top) {
+            extinction += (i == 1 ? 4.0 : 1.0) / 6.0 * shader::airExtinction(air, height);
+        }
+    }
+    return glm::exp(-extinction * glm::distance(from, to));
+}
+
+SkyWork planSky(const Scene& scene, const Camera& camera, const FrameSettings& settings,
+                bool surfaces, const SkyCache& cache) {
     const Bounds bounds = sceneBounds(scene);
     SkyWork work;
-    work.drawing = sky;
-    work.eye = skyEye(sky, camera.frame.position);
+    work.drawing = settings.sky.value();
+    work.eye = skyEye(work.drawing, camera.frame.position);
     work.haze = hazeBox(scene, bounds);
-    work.aerial = surfaces;
+    double farthest = 1.0;
     for (int i = 0; i < 8 && !bounds.isEmpty(); ++i) {
-        work.farthestMetres =
-            std::max(work.farthestMetres, glm::distance(camera.frame.position, bounds.corner(i)));
+        farthest = std::max(farthest, glm::distance(camera.frame.position, bounds.corner(i)));
     }
-    work.makeTables = cache.air != sky.air || cache.orders != sky.orders;
+    work.makeTables = cache.air != work.drawing.air || cache.orders != work.drawing.orders;
     work.makeView = work.makeTables || cache.view != work.viewKey();
+    work.aerial = surfaces;
+    work.aerialKey = {camera, settings.width, settings.height, work.drawing, farthest};
+    work.makeAerial = surfaces && (work.makeTables || cache.aerial != work.aerialKey);
     return work;
 }
 
@@ -63,6 +80,12 @@ void keepForNextFrame(const SkyWork& work, SkyCache& cache) {
     cache.air = work.drawing.air;
     cache.orders = work.drawing.orders;
     cache.view = work.viewKey();
+    if (work.makeTables) {
+        cache.aerial.reset();
+    }
+    if (work.makeAerial) {
+        cache.aerial = work.aerialKey;
+    }
 }
 
 }  // namespace ribalta

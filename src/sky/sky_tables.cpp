@@ -131,16 +131,16 @@ SkyTables::SkyTables(const Atmosphere& atmosphere, const SkyOrders& orders)
         return std::clamp(sources.sunScale() * std::sinh(y), -1.0, 1.0);
     };
     parallelFor(layers, [&](std::size_t layer) {
-        const std::size_t heightRow = layer / azimuths;
-        const double part = double(heightRow) / (shader::kSourceHeights - 1);
+        const std::size_t row = layer / azimuths;
+        const double part = double(row) / (shader::kSourceHeights - 1);
         const double height = impl_->air().topMetres * part * part;
         const double azimuth = kPi * double(layer % azimuths) / double(azimuths - 1);
-        for (std::size_t row = 0; row < rows; ++row) {
-            const double zenith = kPi * double(row) / double(rows - 1);
+        for (std::size_t angle = 0; angle < rows; ++angle) {
+            const double zenith = kPi * double(angle) / double(rows - 1);
             for (std::size_t sun = 0; sun < suns; ++sun) {
                 const std::array<double, 6> source =
                     sources.at(impl_->sum(), height, cosineOf(sun), zenith, azimuth);
-                const std::size_t place = (layer * rows + row) * suns + sun;
+                const std::size_t place = (layer * rows + angle) * suns + sun;
                 rayleigh_[place] = logOf(source.data());
                 mie_[place] = logOf(&source[3]);
             }

@@ -299,6 +299,36 @@ TEST_F(SkyPicture, TheSunsDiscBringsTheSunsLight) {
     EXPECT_LT(edge.z / middle.z, edge.x / middle.x);
 }
 
+TEST_F(SkyPicture, SurfacesAreLitBySunAndSky) {
+    settings_.sky->orders = {4, true};
+    addShape(scene_, makeQuad({0, 0, 0}, {50, 0, 0}, {0, 0, -50}), makeMaterial(glm::vec3(0.5F)));
+    lookAt(40.0, {0, 3, 0.1}, {0, 0, 0});
+    const SkyTables tables(Atmosphere{}, {4, true});
+    const double muS = std::sin(40.0 * kDegree);
+    const glm::dvec3 lux = Atmosphere{}.sunIlluminanceLux *
+                           (muS * tables.sunlight(0.0, muS) + tables.irradianceAt(0.0, muS).up);
+    const Frame3 frame = drawOnce(scene_, camera_, settings_);
+    const glm::dvec3 middle = frame.color(32, 24);
+    for (int c = 0; c < 3; ++c) {
+        // A rough surface reflects a little more than its base colour.
+        EXPECT_NEAR(middle[c] / (0.5 / std::numbers::pi * lux[c]), 1.05, 0.08) << c;
+    }
+    EXPECT_GT(middle.x, middle.z) << "the sun's light is yellow";
+}
+
+TEST_F(SkyPicture, WhatIsSeeThroughShowsTheSkyBehindIt) {
+    lookAt(30.0, {0, 2, 0}, {1, 2.2, 0.4});
+    const glm::dvec3 sky = drawOnce(scene_, camera_, settings_).color(32, 24);
+    Material glass = makeMaterial(glm::vec3(0.0F));
+    glass.unlit = true;
+    glass.baseColor.w = 0.25F;
+    glass.alphaMode = Material::AlphaMode::kBlend;
+    glass.doubleSided = true;
+    addShape(scene_, makeQuad({2, 2, 0}, {0, 0, 9}, {0, 9, 0}), glass);
+    const glm::dvec3 through = drawOnce(scene_, camera_, settings_).color(32, 24);
+    EXPECT_NEAR(through.z / sky.z, 0.75, 1e-3);
+}
+
 TEST_F(SkyPicture, NoSkyMakesNothing) {
     addShape(scene_, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}), makeMaterial(glm::vec3(0.5F)));
     lookAt(30.0, {0, 2, 8}, {0, 1, 0});

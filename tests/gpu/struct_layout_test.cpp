@@ -96,8 +96,9 @@ TEST_F(StructLayout, WhatBeamsRead) {
                    sizeof(gpu::BeamSettings), 4);
     expectBuffer(program, "SpotLamps", "spotLamps",
                  {MEMBER(SpotLamp, lampFromView), MEMBER(SpotLamp, candela), MEMBER(SpotLamp, cone),
-                  MEMBER(SpotLamp, projection), MEMBER(SpotLamp, shadow), MEMBER(SpotLamp, layers)},
-                 sizeof(gpu::SpotLamp), 6);
+                  MEMBER(SpotLamp, projection), MEMBER(SpotLamp, shadow),
+                  MEMBER(SpotLamp, towardsEye), MEMBER(SpotLamp, layers)},
+                 sizeof(gpu::SpotLamp), 7);
     expectBuffer(program, "Tiles", "tiles", {MEMBER(BeamSquare, place), MEMBER(BeamSquare, detail)},
                  sizeof(gpu::BeamSquare), 2);
     EXPECT_EQ(property(program, GL_BUFFER_VARIABLE, "tileLamps[0]", GL_ARRAY_STRIDE),

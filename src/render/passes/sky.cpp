@@ -48,7 +48,7 @@ void SkyPass::uploadFrame(const SkyWork& work, const Camera& camera) {
     frame.sun = glm::vec4(turn * work.drawing.towardsSun, work.eye.muS);
     frame.sunward = glm::vec4(turn * lighting_.sunward, 0.0);
     frame.suns = glm::vec4(suns, 0.0);
-    frame.aerial = glm::vec4(work.farthestMetres, 0.0, 0.0, 0.0);
+    frame.aerial = glm::vec4(work.aerialKey.farthestMetres, 0.0, 0.0, 0.0);
     if (!work.haze.isEmpty()) {
         const glm::dvec3 size = glm::max(work.haze.halfSize(), glm::dvec3(kSmallestHaze));
         frame.hazeMiddle = glm::vec4(work.haze.centre(), 0.0);
@@ -86,7 +86,7 @@ void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTarget
         makeTable(view_, "passes/sky_view.comp", viewTable_,
                   {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 2});
     }
-    if (work.aerial) {
+    if (work.makeAerial) {
         if (!aerialTable_) {
             aerialTable_ = table("aerial perspective",
                                  {gpu::kAerialAcross, gpu::kAerialDown, 2 * gpu::kAerialDepths, 1});

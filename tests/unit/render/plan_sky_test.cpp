@@ -36,7 +36,28 @@ struct Outdoors {
 TEST(PlanSky, TablesAreMadeOnce) {
     Outdoors stage;
     EXPECT_EQ(stage.nextLine(), "forward sky_tables sky_view aerial sky tonemap");
+    EXPECT_EQ(stage.nextLine(), "forward sky tonemap");
+    stage.settings.ambientLux = 2.0;
+    EXPECT_EQ(stage.nextLine(), "forward sky tonemap") << "the surfaces' light alone";
+    stage.settings.width = 65;
     EXPECT_EQ(stage.nextLine(), "forward aerial sky tonemap");
+}
+
+TEST(PlanSky, AirBetweenTwoPointsDims) {
+    SkyDrawing sky;
+    const glm::dvec3 beta = sky.air.rayleighScatteringPerMetre + sky.air.mieExtinctionPerMetre;
+    const glm::dvec3 level = transmittanceBetween(sky, {0, 0, 0}, {2e3, 0, 0});
+    const glm::dvec3 up = transmittanceBetween(sky, {0, 0, 0}, {0, 2e3, 0});
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(level[c], std::exp(-2e3 * beta[c]), 1e-5);
+        const double lengths[] = {8e3 * -std::expm1(-0.25), 1.2e3 * -std::expm1(-2.0 / 1.2)};
+        EXPECT_NEAR(up[c],
+                    std::exp(-lengths[0] * sky.air.rayleighScatteringPerMetre[c] -
+                             lengths[1] * sky.air.mieExtinctionPerMetre[c]),
+                    1e-4);
+    }
+    sky.altitudeMetres = 400e3;
+    EXPECT_EQ(transmittanceBetween(sky, {0, 0, 0}, {2e3, 0, 0}), glm::dvec3(1.0));
 }
 
 TEST(PlanSky, AMovedSunOrEyeKeepsTheAirsTables) {
