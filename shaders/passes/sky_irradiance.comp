@@ -31,7 +31,7 @@ vec3 skyIrradiance(Air air, float h, float muS) {
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    vec2 size = tables.planes.zw;
+    vec2 size = vec2(imageSize(orderImage));
     if (any(greaterThanEqual(texel, ivec2(size)))) {
         return;
     }

@@ -24,9 +24,10 @@ vec3 transmittanceToTop(Air air, float h, float mu) {
     return textureLod(transmittanceMap, transmittancePlace2008(air, h, mu), 0.0).rgb;
 #else
     vec2 place = transmittancePlace(air, h, mu);
+    vec2 size = vec2(textureSize(transmittanceMap, 0));
     return textureLod(transmittanceMap,
-                      vec2(textureCoordinate(place.x, tables.planes.x),
-                           textureCoordinate(place.y, tables.planes.y)),
+                      vec2(textureCoordinate(place.x, size.x),
+                           textureCoordinate(place.y, size.y)),
                       0.0).rgb;
 #endif
 }
@@ -106,9 +107,10 @@ void texelRay(Air air, ivec3 texel, OUT(float) h, OUT(float) mu, OUT(float) muS,
 
 /// Of a level plane at height h under a sun of cosine muS, by the table, which lies evenly in both.
 vec3 irradianceAt(Air air, float h, float muS) {
+    vec2 size = vec2(textureSize(irradianceMap, 0));
     return textureLod(irradianceMap,
-                      vec2(textureCoordinate(0.5 + 0.5 * muS, tables.planes.z),
-                           textureCoordinate(h / air.top, tables.planes.w)),
+                      vec2(textureCoordinate(0.5 + 0.5 * muS, size.x),
+                           textureCoordinate(h / air.top, size.y)),
                       0.0).rgb;
 }
 

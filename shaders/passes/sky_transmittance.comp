@@ -8,7 +8,7 @@ const int kSteps = 500;
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    vec2 size = tables.planes.xy;
+    vec2 size = vec2(imageSize(transmittanceImage));
     if (any(greaterThanEqual(texel, ivec2(size)))) {
         return;
     }

@@ -252,8 +252,6 @@ TEST_F(SkyBaseline, SizesLieAsTheShadersHaveThem) {
               gpu::kPrecomputedSkySlot);
     EXPECT_EQ(property(GL_UNIFORM, "tables.scattering", GL_OFFSET),
               GLint(offsetof(gpu::PrecomputedSky, scattering)));
-    EXPECT_EQ(property(GL_UNIFORM, "tables.planes", GL_OFFSET),
-              GLint(offsetof(gpu::PrecomputedSky, planes)));
     EXPECT_EQ(property(GL_UNIFORM, "tables.suns", GL_OFFSET),
               GLint(offsetof(gpu::PrecomputedSky, suns)));
 }

@@ -77,7 +77,7 @@ TEST_F(SkyBaselineTruth, Single) {
     const PrecomputedSky sky(Atmosphere(), settings);
     const std::vector<SkyLight> lights = evaluatePrecomputedSky(sky, rays_);
     if (fullSize()) {
-        errorsOf(lights, "L1").expectBelow("single", {0.0042, 0.074, 0.15, 11.0});
+        errorsOf(lights, "L1").expectBelow("single", {0.0039, 0.074, 0.15, 11.0});
     } else {
         errorsOf(lights, "L1").expectBelow("single, small", {0.013, 0.14, 0.3, 11.0});
     }

@@ -26,7 +26,8 @@ constexpr int kStepsOfExactTexel = 401;
 constexpr int kDirections = 512;
 
 constexpr int kGroup = 8;
-constexpr const char* kExactTexels = "SKY_EXACT_TEXELS";
+// Of the table by which exact texels are made.
+constexpr SkyPlaneSize kExactTransmittance{512, 128};
 
 GLuint groups(int size) {
     return GLuint((size + kGroup - 1) / kGroup);
@@ -42,8 +43,6 @@ gpu::PrecomputedSky describe(const PrecomputedSkySettings& settings) {
     const SkyVolumeSize& volume = settings.scattering;
     gpu::PrecomputedSky result{};
     result.scattering = glm::vec4(volume.suns, volume.viewAngles, volume.heights, volume.sunAngles);
-    result.planes = glm::vec4(settings.transmittance.across, settings.transmittance.heights,
-                              settings.irradiance.across, settings.irradiance.heights);
     result.suns = glm::vec4(settings.lowestSun, 0.0F, 0.0F, 0.0F);
     return result;
 }
@@ -70,11 +69,7 @@ class PrecomputedSky::Maker {
 
     void makeTables() {
         const DebugGroup group("sky tables");
-        if (exact()) {
-            makeTransmittance({kExactTexels});
-        } else {
-            makeTransmittance();
-        }
+        makeTransmittance(sky_.transmittance_, settings_.transmittance);
         sky_.scattering_ = makeVolume("sky scattering");
         sky_.mie_ = makeVolume("sky Mie scattering");
         if (!settings_.simplified) {
@@ -93,9 +88,6 @@ class PrecomputedSky::Maker {
             makeIrradiance(define);
             makeMultiple();
         }
-        if (exact()) {
-            makeTransmittance();
-        }
         timer_.end();
     }
 
@@ -106,7 +98,8 @@ class PrecomputedSky::Maker {
                                  (settings_.simplified ? 0 : bytes(settings_.irradiance));
         cost.keptBytes = kept;
         cost.peakBytes = kept + order_.bytes() + density_.bytes() +
-                         (settings_.simplified ? 0 : bytes(settings_.irradiance));
+                         (settings_.simplified ? 0 : bytes(settings_.irradiance)) +
+                         (exact() ? bytes(kExactTransmittance) : 0);
         for (const PassTime& pass : timer_.take()) {
             cost.gpuSeconds += 1e-3 * pass.gpuMs;
         }
@@ -187,30 +180,32 @@ class PrecomputedSky::Maker {
         }
     }
 
-    void makeTransmittance(const std::vector<std::string>& extra = {}) {
+    void makeTransmittance(Texture2D& table, const SkyPlaneSize& size,
+                           const std::vector<std::string>& extra = {}) {
         timer_.begin("transmittance");
-        if (!sky_.transmittance_) {
-            sky_.transmittance_ = makePlane("sky transmittance", settings_.transmittance);
-        }
+        table = makePlane("sky transmittance", size);
         sky_.bind();
-        bindImage(gpu::kSkyPlaneImage, sky_.transmittance_.name(), false, GL_WRITE_ONLY,
-                  GL_RGBA32F);
-        overPlane(program("sky_transmittance", extra), settings_.transmittance);
+        bindImage(gpu::kSkyPlaneImage, table.name(), false, GL_WRITE_ONLY, GL_RGBA32F);
+        overPlane(program("sky_transmittance", extra), size);
     }
 
     void makeSingle() {
+        std::vector<std::string> extra;
+        if (exact()) {
+            extra.emplace_back("SKY_EXACT_TEXELS");
+            makeTransmittance(exactTransmittance_, kExactTransmittance, extra);
+        }
         timer_.begin("single scattering");
         lookUp(sky_.scattering_);
+        if (exact()) {
+            glBindTextureUnit(gpu::kSkyTransmittanceUnit, exactTransmittance_.name());
+        }
         bindImage(gpu::kSkyScatteringImage, sky_.scattering_.name(), true, GL_WRITE_ONLY,
                   volumeFormat_);
         bindImage(gpu::kSkyMieImage, sky_.mie_.name(), true, GL_WRITE_ONLY, volumeFormat_);
-        std::vector<std::string> extra;
         if (order_) {
             extra.emplace_back("SKY_MORE_ORDERS");
             bindImage(gpu::kSkyOrderImage, order_.name(), true, GL_WRITE_ONLY, volumeFormat_);
-        }
-        if (exact()) {
-            extra.emplace_back(kExactTexels);
         }
         overVolume(program("sky_single", extra), samplesOfSingle());
     }
@@ -246,6 +241,7 @@ class PrecomputedSky::Maker {
     Texture3D order_;  ///< radiance of the order at hand; of the first, Rayleigh's
     Texture3D density_;
     Texture2D orderIrradiance_;
+    Texture2D exactTransmittance_;
     PassTimer timer_;
     int dispatches_ = 0;
     Progress progress_;
