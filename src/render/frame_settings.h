@@ -1,6 +1,7 @@
 // FrameSettings: how a frame is drawn. What belongs to a scene stands in the scene.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "render/beam_method.h"
@@ -21,7 +22,7 @@ struct BeamSettings {
     BeamMethod method = BeamMethod::kAdaptive;
     int planes = 24;  ///< sheets a beam, or planes a frame (planes)
     /// `adaptive` only: how far a pixel may be off by interpolation, as a share of the screen's
-    /// full scale. None: 0.4 / planes, about as much as so few sheets are off themselves.
+    /// full scale; see usedTolerance().
     std::optional<double> tolerance;
     /// `planes` only: cells across and down on whose corners the smooth factor is evaluated and
     /// between which it is interpolated (Pessoa 2007, equation 8); 0: at every pixel.
@@ -38,6 +39,10 @@ struct BeamSettings {
     int sheetsForPyramid = kSheetsForPyramid;
 
     bool operator==(const BeamSettings&) const = default;
+
+    /// Where none is set: 0.8 / planes, about as much as so few sheets are off themselves at their
+    /// worst pixels, but at most 0.1, from where on interpolation would be seen.
+    double usedTolerance() const { return tolerance.value_or(std::min(0.8 / planes, 0.1)); }
 };
 
 struct FrameSettings {

@@ -24,11 +24,9 @@ constexpr double kEpsilon = 0x1p-24;
 constexpr double kBeforeSurface = 1e-4;
 /// Roundings that a ray's place and direction may have gathered.
 constexpr double kRoundings = 8.0;
-/// By how much of the screen's full scale `adaptive` may be off between the points that it samples:
-/// three times its default tolerance, since it only estimates: where the light turns up halfway
-/// between two points it is twice as far off as they tell, and the tone curve is steeper on the
-/// dark side.
-constexpr double kInterpolation = 0.06;
+/// By how many tolerances `adaptive` may be off where it interpolates: what bends across and what
+/// bends down add, and it looks at the larger of the two.
+constexpr double kBendsBothWays = 2.0;
 /// Points at which the reference asks for shadows, half of them even in the lamp's projection.
 constexpr int kProbes = 2048;
 /// Share of the brightest pixel that no one sees.
@@ -120,15 +118,20 @@ class PixelCheck {
         return largest(value) * (2e-5 + sum + peak + haze) + kUnderflow * std::max(candela_, 1.0);
     }
 
-    /// Whether the screen shows two values of a pixel's beams alike, as far as the method promises.
+    /// Whether the screen shows two values of a pixel's beams alike, as far as interpolation may.
     bool looksAlike(const glm::ivec2& pixel, const glm::dvec3& a, const glm::dvec3& b) const {
-        if (name(method_) != "adaptive" || !drawn_.ev100) {
-            return false;
+        return shownDifference(pixel, a, b) <= kBendsBothWays * drawn_.tolerance;
+    }
+
+    /// Share of the screen's full scale.
+    double shownDifference(const glm::ivec2& pixel, const glm::dvec3& a,
+                           const glm::dvec3& b) const {
+        if (!drawn_.ev100) {
+            return 0.0;
         }
         const glm::dvec3 rest =
             drawn_.color(pixel.x, pixel.y, "") - drawn_.color(pixel.x, pixel.y, "beams");
-        return largest(glm::abs(shown(rest + a, *drawn_.ev100) - shown(rest + b, *drawn_.ev100))) <=
-               kInterpolation;
+        return largest(glm::abs(shown(rest + a, *drawn_.ev100) - shown(rest + b, *drawn_.ev100)));
     }
 
     double quadrature(int x, int y) const {
@@ -368,6 +371,21 @@ class Judge {
     Findings& findings_;
 };
 
+/// Every pixel that `adaptive` interpolates, against its own samples. One that differs because a
+/// sample may fall to either side of an edge is right by the exact answer.
+void checkInterpolation(const PixelCheck& check, const Drawn& drawn, const Drawn& sampled,
+                        Judge& judge) {
+    for (int y = 0; y < drawn.image.height; ++y) {
+        for (int x = 0; x < drawn.image.width; ++x) {
+            const glm::dvec3 value = drawn.color(x, y, "beams");
+            if (!check.looksAlike({x, y}, value, sampled.color(x, y, "beams"))) {
+                const glm::dvec3 exact = check.exact(x, y);
+                judge.compare("interpolated badly", {x, y}, value, exact, exact, false);
+            }
+        }
+    }
+}
+
 /// One of the 24 turns that map the axes onto themselves.
 glm::dmat3 turnOfCube(Random& random) {
     const int first = random.below(3);
@@ -383,7 +401,10 @@ glm::dmat3 turnOfCube(Random& random) {
 
 Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
     Findings findings;
-    const Drawn here = stage.draw(setUp, method);
+    // With nothing interpolated `adaptive` is `clipped` to the bit.
+    const bool interpolates = method == BeamMethod::kAdaptive;
+    const Drawn sampled = stage.draw(setUp, interpolates ? BeamMethod::kClipped : method);
+    const Drawn here = interpolates ? stage.draw(setUp, method, sampled.ev100) : sampled;
     checkSound("as it is", here, findings);
 
     // Where the planes end follows from the scene's box, which turns only with the axes.
@@ -393,7 +414,7 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
         planes ? turnOfCube(random)
                : lookAt({0, 0, 0}, random.direction(), random.direction()).worldFromLocal;
     const glm::dvec3 metres = random.decades(1.0, 1e5) * random.direction();
-    const Drawn there = stage.draw(moved(setUp, rotation, metres), method);
+    const Drawn there = stage.draw(moved(setUp, rotation, metres), method, here.ev100);
     checkSound("moved", there, findings);
     if (!findings.faults.empty()) {
         return findings;
@@ -408,6 +429,9 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
         brightest = std::max(brightest, largest(exact.back()));
     }
     Judge judge(check, kUnseen * brightest, findings);
+    if (interpolates) {
+        checkInterpolation(check, here, sampled, judge);
+    }
     double error = 0.0;
     double motion = 0.0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -417,7 +441,8 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
         brightest = std::max(brightest, largest(drawn));
         error = std::max(error, largest(glm::abs(drawn - exact[i])));
         motion = std::max(motion, largest(glm::abs(drawn - again)));
-        judge.compare("wrong light", pixel, drawn, exact[i], exact[i], false);
+        judge.compare("wrong light", pixel, sampled.color(pixel.x, pixel.y, "beams"), exact[i], exact[i],
+                      false);
         judge.compare("changed by a rigid motion", pixel, again, drawn, exact[i], true);
         ++findings.pixels;
     }

@@ -61,7 +61,7 @@ struct Stage::State {
 Stage::Stage() : state_(std::make_unique<State>()) {}
 Stage::~Stage() = default;
 
-Drawn Stage::draw(const SetUp& setUp, BeamMethod method) {
+Drawn Stage::draw(const SetUp& setUp, BeamMethod method, const std::optional<double>& ev100) {
     Scene& scene = state_->scene;
     scene.spotLights = setUp.lamps;
     scene.nodes.clear();
@@ -75,6 +75,7 @@ Drawn Stage::draw(const SetUp& setUp, BeamMethod method) {
     settings.beams.method = method;
     settings.beams.planes = setUp.sheets;
     settings.beamsOutput = true;
+    settings.ev100 = ev100;
 
     Renderer& renderer = state_->renderer;
     renderer.forget();
@@ -84,6 +85,7 @@ Drawn Stage::draw(const SetUp& setUp, BeamMethod method) {
     Drawn drawn;
     drawn.image = readFrame(plan, renderer.targets(), layers);
     drawn.ev100 = renderer.ev100();
+    drawn.tolerance = method == BeamMethod::kAdaptive ? settings.beams.usedTolerance() : 0.0;
     drawn.shadowSide = plan.shadowMaps.side;
     if (method == BeamMethod::kPlanes && plan.beams) {
         drawn.sampledDepths = {plan.beams->firstDepth,

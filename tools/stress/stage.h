@@ -15,6 +15,7 @@ namespace ribalta::stress {
 struct Drawn {
     FloatImage image;  ///< R, G, B; beams.R, .G, .B; transmittance; rows from the top
     std::optional<double> ev100;
+    double tolerance = 0.0;  ///< of `adaptive`, share of the screen's full scale
     int shadowSide = 0;  ///< texels, 0: no shadow maps
     /// Metres along the view axis between which the method samples; none: wherever there is light.
     std::optional<Interval> sampledDepths;
@@ -29,7 +30,9 @@ class Stage {
     Stage();
     ~Stage();
 
-    Drawn draw(const SetUp& setUp, BeamMethod method);
+    /// `ev100`: exposure; none: found from the picture.
+    Drawn draw(const SetUp& setUp, BeamMethod method,
+               const std::optional<double>& ev100 = std::nullopt);
 
   private:
     struct State;
