@@ -441,8 +441,8 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
         brightest = std::max(brightest, largest(drawn));
         error = std::max(error, largest(glm::abs(drawn - exact[i])));
         motion = std::max(motion, largest(glm::abs(drawn - again)));
-        judge.compare("wrong light", pixel, sampled.color(pixel.x, pixel.y, "beams"), exact[i], exact[i],
-                      false);
+        judge.compare("wrong light", pixel, sampled.color(pixel.x, pixel.y, "beams"), exact[i],
+                      exact[i], false);
         judge.compare("changed by a rigid motion", pixel, again, drawn, exact[i], true);
         ++findings.pixels;
     }

@@ -16,7 +16,7 @@ struct Drawn {
     FloatImage image;  ///< R, G, B; beams.R, .G, .B; transmittance; rows from the top
     std::optional<double> ev100;
     double tolerance = 0.0;  ///< of `adaptive`, share of the screen's full scale
-    int shadowSide = 0;  ///< texels, 0: no shadow maps
+    int shadowSide = 0;      ///< texels, 0: no shadow maps
     /// Metres along the view axis between which the method samples; none: wherever there is light.
     std::optional<Interval> sampledDepths;
 
