@@ -3,10 +3,10 @@
 #include <optional>
 #include <span>
 
+#include "base/content_hash.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "image/write_image.h"
-#include "measure/content_hash.h"
 #include "reference/reference_file.h"
 
 namespace ribalta {

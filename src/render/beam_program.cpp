@@ -24,8 +24,7 @@ gpu::BeamSettings describeBeams(const BeamsWork& work) {
     settings.planes =
         glm::vec4(work.settings.planes, work.firstDepth, work.spacingMetres, work.spacingMetres);
     settings.lattice = glm::ivec4(work.latticePoints, work.tiles.tiles.size(), 0);
-    settings.adaptive =
-        glm::vec4(work.settings.usedTolerance(), 0.0, 0.0, 0.0);
+    settings.adaptive = glm::vec4(work.settings.usedTolerance(), 0.0, 0.0, 0.0);
     settings.cells = glm::ivec4(work.settings.cellsAcross, work.settings.cellsDown, 0, 0);
     return settings;
 }

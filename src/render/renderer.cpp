@@ -6,10 +6,10 @@ namespace ribalta {
 namespace {
 
 // The pass, made now if this is its first work.
-template <typename Pass>
-Pass& madeOnFirstUse(std::optional<Pass>& pass) {
+template <typename Pass, typename... Arguments>
+Pass& madeOnFirstUse(std::optional<Pass>& pass, const Arguments&... arguments) {
     if (!pass) {
-        pass.emplace();
+        pass.emplace(arguments...);
     }
     return *pass;
 }
@@ -31,8 +31,8 @@ void clear(const FrameTargets& targets) {
 
 }  // namespace
 
-Renderer::Renderer(const Scene& scene)
-    : scene_(scene), litRegions_(litRegions(scene)), gpuScene_(scene) {}
+Renderer::Renderer(const Scene& scene, const FileCache* files)
+    : scene_(scene), files_(files), litRegions_(litRegions(scene)), gpuScene_(scene) {}
 
 const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
     FrameInputs inputs = frameInputs(scene_, camera, settings);
@@ -49,7 +49,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     const SkyLighting* daylight = nullptr;
     if (plan_.sky) {
         timer_.begin("sky_tables");
-        daylight = &madeOnFirstUse(sky_).prepare(*plan_.sky);
+        daylight = &madeOnFirstUse(sky_, files_).prepare(*plan_.sky);
         sky_->uploadFrame(*plan_.sky, camera);
     }
     timer_.begin("upload");

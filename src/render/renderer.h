@@ -25,8 +25,10 @@ namespace ribalta {
 
 class Renderer {
   public:
-    /// Uploads the scene, which must outlive the renderer. Needs a current context.
-    explicit Renderer(const Scene& scene);
+    /// Uploads the scene, which must outlive the renderer. Needs a current context. The sky's
+    /// tables are kept in `files` from one run to the next, where it is not null; it must outlive
+    /// the renderer too.
+    explicit Renderer(const Scene& scene, const FileCache* files = nullptr);
 
     /// Plans and draws a frame; the plan is that of the last frame until the next call. Where
     /// camera, settings, lamps and placements are those of the frame before, its picture is kept:
@@ -67,6 +69,7 @@ class Renderer {
     void drawBeams(const BeamsWork& work);
 
     const Scene& scene_;
+    const FileCache* const files_;
     const LitRegions litRegions_;
     GpuScene gpuScene_;
     GpuFrame gpuFrame_;

@@ -21,8 +21,8 @@ Texture2D linearTexture(const std::string& label, const Texture2D::Size& size,
 
 }  // namespace
 
-void SkyTextures::make(const Atmosphere& air, const SkyOrders& orders) {
-    tables_.emplace(air, orders);
+void SkyTextures::make(const Atmosphere& air, const SkyOrders& orders, const FileCache* files) {
+    tables_.emplace(air, orders, files);
     orders_ = orders;
     const std::vector<gpu::Atmosphere> described = {describeAtmosphere(air)};
     atmosphere_.write("atmosphere", bytesOf(described));

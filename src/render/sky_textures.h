@@ -13,8 +13,8 @@ namespace ribalta {
 
 class SkyTextures {
   public:
-    /// Builds and uploads them. Throws what checked() throws.
-    void make(const Atmosphere& air, const SkyOrders& orders);
+    /// Builds and uploads them; `files` as SkyTables takes it. Throws what checked() throws.
+    void make(const Atmosphere& air, const SkyOrders& orders, const FileCache* files = nullptr);
 
     /// Binds the tables and the atmosphere's uniform block.
     void bind() const;

@@ -94,6 +94,26 @@ SkySources::SkySources(const OpticalLengthTable& table, int orders, bool groundL
     }
 }
 
+SkySources::SkySources(const OpticalLengthTable& table, bool groundLightsAir,
+                       const SkyTableSizes& sizes, Tables tables)
+    : table_(&table),
+      groundLightsAir_(groundLightsAir),
+      sizes_(sizes),
+      alongFirst_(gaussRule(sizes.nodesOfFirst)),
+      alongLater_(gaussRule(sizes.nodesOfLater)),
+      tables_(std::move(tables)) {
+    placeNodes();
+    const std::size_t size = heights_.size() * suns_.size() * directionSize();
+    CHECK(!tables_.grids.empty() && tables_.irradiances.size() == tables_.grids.size());
+    for (const Grid& grid : tables_.grids) {
+        CHECK(grid.size() == size);
+    }
+    for (const std::vector<glm::dvec3>& irradiance : tables_.irradiances) {
+        CHECK(irradiance.size() == suns_.size());
+    }
+    wanted_.assign(tables_.grids.size(), std::vector<bool>(suns_.size(), true));
+}
+
 void SkySources::placeNodes() {
     const Atmosphere& air = table_->atmosphere();
     for (int i = 0; i < sizes_.heights; ++i) {
@@ -181,10 +201,10 @@ void SkySources::makeOrder(int order) {
                                      directionSize()});
         });
         if (h == 0) {
-            irradiances_.push_back(irradiances);
+            tables_.irradiances.push_back(irradiances);
         }
     }
-    grids_.push_back(std::move(grid));
+    tables_.grids.push_back(std::move(grid));
 }
 
 std::vector<glm::dvec3> SkySources::field(int order, double height, double muS,
@@ -206,7 +226,7 @@ std::vector<glm::dvec3> SkySources::field(int order, double height, double muS,
                 addNodes(*table_, path, {0.0, turn, false, true}, alongLater_, nodes);
                 addNodes(*table_, path, {turn, path.length, true, true}, alongLater_, nodes);
             }
-            light.push_back(march(grids_[std::size_t(order - 2)], path, nodes));
+            light.push_back(march(tables_.grids[std::size_t(order - 2)], path, nodes));
         }
     }
     return light;
@@ -232,7 +252,7 @@ void SkySources::addGround(int order, double height, double muS, const SkyDirect
 }
 
 glm::dvec3 SkySources::irradiance(int order, double muS) const {
-    const std::vector<glm::dvec3>& values = irradiances_.at(std::size_t(order - 1));
+    const std::vector<glm::dvec3>& values = tables_.irradiances.at(std::size_t(order - 1));
     const CubicWeights suns = cubicWeights(sunPlace(muS), sizes_.suns);
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -296,12 +316,12 @@ glm::dvec3 SkySources::march(const Grid& grid, const AirPath& path,
 }
 
 SkySources::Grid SkySources::sum(bool closed) const {
-    const std::size_t orders = grids_.size();
+    const std::size_t orders = tables_.grids.size();
     CHECK(!closed || orders >= 3);
-    Grid sum = grids_.front();
+    Grid sum = tables_.grids.front();
     for (std::size_t order = 1; order < orders; ++order) {
         for (std::size_t i = 0; i < sum.size(); ++i) {
-            sum[i] += grids_[order][i];
+            sum[i] += tables_.grids[order][i];
         }
     }
     const std::size_t size = directionSize();
@@ -310,12 +330,12 @@ SkySources::Grid SkySources::sum(bool closed) const {
             double last = 0.0;
             double before = 0.0;
             for (std::size_t i = cell + colour; i < cell + size; i += 6) {
-                last += double(grids_[orders - 1][i]);
-                before += double(grids_[orders - 2][i]);
+                last += double(tables_.grids[orders - 1][i]);
+                before += double(tables_.grids[orders - 2][i]);
             }
             const double ratio = before > 0.0 ? std::min(last / before, kLargestRatio) : 0.0;
             for (std::size_t i = cell + colour; i < cell + size; i += 6) {
-                sum[i] += float(ratio / (1.0 - ratio)) * grids_[orders - 1][i];
+                sum[i] += float(ratio / (1.0 - ratio)) * tables_.grids[orders - 1][i];
             }
         }
     }
@@ -323,7 +343,7 @@ SkySources::Grid SkySources::sum(bool closed) const {
 }
 
 glm::dvec3 SkySources::along(const AirPath& path, int order) const {
-    CHECK(order >= 2 && order < 2 + int(grids_.size()));
+    CHECK(order >= 2 && order < 2 + int(tables_.grids.size()));
     const glm::dvec2 range = sunsOver(airOf(table_->atmosphere()), path);
     const std::vector<bool>& wanted = wanted_[std::size_t(order - 2)];
     CHECK(wanted[std::size_t(cubicWeights(sunPlace(range.x), sizes_.suns).first)] &&
@@ -332,7 +352,7 @@ glm::dvec3 SkySources::along(const AirPath& path, int order) const {
     for (const PathPiece& piece : piecesOf(table_->atmosphere(), path)) {
         addNodes(*table_, path, piece, alongFirst_, nodes);
     }
-    return march(grids_[std::size_t(order - 2)], path, nodes);
+    return march(tables_.grids[std::size_t(order - 2)], path, nodes);
 }
 
 }  // namespace ribalta

@@ -41,6 +41,9 @@ SkyTableSizes pictureSkyTables();
 /// cubics.
 class SkySources {
   public:
+    /// [height][sun][zenith angle][azimuth][6]: Rayleigh's and Mie's colours.
+    using Grid = std::vector<float>;
+
     /// Makes what `paths` need, on all cores. `table` must outlive it. With groundLightsAir light
     /// that the ground reflects takes part, a reflection counting as a scattering.
     SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
@@ -49,14 +52,21 @@ class SkySources {
     SkySources(const OpticalLengthTable& table, int orders, bool groundLightsAir,
                const SkyTableSizes& sizes);
 
+    /// What makeOrder() left of all orders, by which they need not be made again.
+    struct Tables {
+        std::vector<Grid> grids;                           ///< by order - 2
+        std::vector<std::vector<glm::dvec3>> irradiances;  ///< by order - 1, by sun
+    };
+    /// By tables of the same atmosphere, ground and sizes, of all suns.
+    SkySources(const OpticalLengthTable& table, bool groundLightsAir, const SkyTableSizes& sizes,
+               Tables tables);
+    const Tables& tables() const { return tables_; }
+
     /// Radiance of exactly `order` 2..orders along a path out of those, for a sun of irradiance 1.
     glm::dvec3 along(const AirPath& path, int order) const;
     /// Irradiance of the ground where a path out of those meets it, under a sun of cosine muS, by
     /// light of exactly `order` 1..orders - 1.
     glm::dvec3 irradiance(int order, double muS) const;
-
-    /// [height][sun][zenith angle][azimuth][6]: Rayleigh's and Mie's colours.
-    using Grid = std::vector<float>;
 
     /// All orders' sources in one; with `closed` also those of the orders beyond the last, which is
     /// then the fourth or higher: at each height under each sun they go on falling as from the last
@@ -94,10 +104,9 @@ class SkySources {
     double firstSun_ = 0.0;  ///< asinh(muS / sunScale_) of the first and the last
     double lastSun_ = 0.0;
     std::vector<double> heights_;
-    std::vector<double> suns_;                          ///< cosines
-    std::vector<std::vector<bool>> wanted_;             ///< by order - 2, by sun
-    std::vector<Grid> grids_;                           ///< by order - 2
-    std::vector<std::vector<glm::dvec3>> irradiances_;  ///< by order - 1, by sun
+    std::vector<double> suns_;               ///< cosines
+    std::vector<std::vector<bool>> wanted_;  ///< by order - 2, by sun
+    Tables tables_;
 };
 
 }  // namespace ribalta

@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/parallel_for.h"
+#include "sky/obtain_sky_sources.h"
 #include "sky/sky_air.h"
 #include "sky/sky_sources.h"
 
@@ -38,14 +39,14 @@ double discAbove(double above, double radius) {
 
 class SkyTables::Impl {
   public:
-    Impl(const Atmosphere& atmosphere, const SkyOrders& orders)
+    Impl(const Atmosphere& atmosphere, const SkyOrders& orders, const FileCache* files)
         : air_(checked(atmosphere)),
           orders_(orders),
           lengths_(air_, shader::kLengthHeights, shader::kLengthCosines),
           rule_(gaussRule(12)) {
         CHECK(orders.count >= 1 && orders.count <= kMostTabulatedOrders);
         if (orders_.count >= 2) {
-            sources_.emplace(lengths_, orders_.count, true, pictureSkyTables());
+            sources_.emplace(obtainSkySources(lengths_, orders_.count, pictureSkyTables(), files));
             sum_ = sources_->sum(closed());
         }
     }
@@ -113,8 +114,8 @@ std::vector<glm::dvec3> SkyTables::Impl::light(double height, double muS,
     return field;
 }
 
-SkyTables::SkyTables(const Atmosphere& atmosphere, const SkyOrders& orders)
-    : impl_(std::make_unique<const Impl>(atmosphere, orders)) {
+SkyTables::SkyTables(const Atmosphere& atmosphere, const SkyOrders& orders, const FileCache* files)
+    : impl_(std::make_unique<const Impl>(atmosphere, orders, files)) {
     if (!impl_->sources()) {
         return;
     }

@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include "base/file_cache.h"
 #include "scene/atmosphere.h"
 
 namespace ribalta {
@@ -35,8 +36,10 @@ struct SkyIrradiance {
 
 class SkyTables {
   public:
-    /// On all cores. `atmosphere` as checked() takes it. One order needs no sources.
-    SkyTables(const Atmosphere& atmosphere, const SkyOrders& orders);
+    /// On all cores. `atmosphere` as checked() takes it. One order needs no sources; those of more
+    /// are kept in `files`, if any.
+    SkyTables(const Atmosphere& atmosphere, const SkyOrders& orders,
+              const FileCache* files = nullptr);
     ~SkyTables();
     SkyTables(SkyTables&&) noexcept;
     SkyTables& operator=(SkyTables&&) noexcept;

@@ -11,6 +11,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 #include "beam_options.h"
+#include "cache_options.h"
 #include "gl/context.h"
 #include "gl/counters.h"
 #include "haze_options.h"
@@ -38,6 +39,7 @@ struct RenderOptions {
     std::string size = "1280x720";
     HazeOptions haze;
     SkyOptions sky;
+    CacheOptions cache;
     BeamOptions beams;
     std::string exposure = "auto";
     double ambient = 1.0;
@@ -191,7 +193,9 @@ void render(const RenderOptions& options) {
     const GlCounters before = glCounters();
     start = Clock::now();
     std::optional<Progress> progress(std::in_place, "uploading");
-    Renderer renderer(loaded.scene);
+    const std::optional<FileCache> cache =
+        settings.sky ? options.cache.cache() : std::optional<FileCache>();
+    Renderer renderer(loaded.scene, cache ? &*cache : nullptr);
     progress.reset();
     const double uploadMs = msSince(start);
 
@@ -274,6 +278,7 @@ void addRenderCommand(CLI::App& app) {
     addPictureOptions(*command, *options);
     options->haze.addTo(*command);
     options->sky.addTo(*command);
+    options->cache.addTo(*command);
     options->beams.addTo(*command);
     command->callback([options] { render(*options); });
 }

@@ -12,8 +12,8 @@
 #include "base/error.h"
 #include "base/read_file.h"
 #include "load_scene.h"
-#include "measure/content_hash.h"
 #include "measure/pessoa2007.h"
+#include "measure/scene_hash.h"
 #include "parse_number.h"
 
 namespace ribalta {

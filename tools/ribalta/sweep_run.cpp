@@ -8,6 +8,7 @@
 
 #include <sys/utsname.h>
 
+#include "base/content_hash.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/read_file.h"
@@ -15,9 +16,9 @@
 #include "drawn_frame.h"
 #include "image/write_image.h"
 #include "interrupts.h"
-#include "measure/content_hash.h"
 #include "measure/error_picture.h"
 #include "measure/reference_cache.h"
+#include "measure/scene_hash.h"
 #include "measure/sweep_report.h"
 #include "reference/reference_file.h"
 

@@ -24,7 +24,7 @@ Texture2D table(const std::string& label, const Texture2D::Size& size) {
 
 const SkyLighting& SkyPass::prepare(const SkyWork& work) {
     if (work.makeTables) {
-        textures_.make(work.drawing.air, work.drawing.orders);
+        textures_.make(work.drawing.air, work.drawing.orders, files_);
     }
     if (textures_.defines() != defines_) {
         defines_ = textures_.defines();

@@ -19,6 +19,9 @@ namespace ribalta {
 
 class SkyPass {
   public:
+    /// `files`: where tables are kept from one run to the next; null: nowhere.
+    explicit SkyPass(const FileCache* files) : files_(files) {}
+
     /// Makes the tables of the air that the work asks for. Returns what the scene is lit with.
     const SkyLighting& prepare(const SkyWork& work);
     /// Makes the tables of the view, and draws. The view must be bound to its slot.
@@ -30,6 +33,7 @@ class SkyPass {
     void makeTable(Program& program, const std::string& shader, const Texture2D& table,
                    glm::ivec3 size);
 
+    const FileCache* files_;
     SkyTextures textures_;
     std::optional<SkyDrawing> lit_;
     SkyLighting lighting_;

@@ -1,4 +1,4 @@
-// ContentHash: tells contents apart, so that what was measured of one is not taken for another's.
+// ContentHash: tells contents apart, so that what was made of one is not taken for another's.
 // No protection against those who want to deceive.
 #pragma once
 
@@ -9,8 +9,6 @@
 #include <string_view>
 #include <type_traits>
 #include <vector>
-
-#include "scene/scene.h"
 
 namespace ribalta {
 
@@ -28,6 +26,7 @@ class ContentHash {
         add(std::as_bytes(std::span(values)));
     }
 
+    std::uint64_t value() const { return state_; }
     /// 16 hexadecimal digits.
     std::string text() const;
 
@@ -36,12 +35,5 @@ class ContentHash {
 
     std::uint64_t state_ = 0xcbf29ce484222325;
 };
-
-/// Of a scene as it was loaded: the file's own bytes, and the geometry and images that may lie in
-/// other files.
-std::string hashScene(std::span<const std::byte> file, const Scene& scene);
-
-/// Of this very program: its version may stay while its shaders and methods change.
-std::string hashProgram();
 
 }  // namespace ribalta
