@@ -25,6 +25,10 @@ layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial 
 layout(std140, binding = kSkySlot) uniform SkyBlock { SkyFrame sky; };
 #include "passes/sky_haze.glsl"
 #endif
+#ifdef SUN_SHADOW
+#include "shared/sun_shadow.h"
+#include "passes/sun_shadow.glsl"
+#endif
 layout(binding = kShadowMapsUnit) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = kLightMapsUnit) uniform sampler2DArray lightMaps;
 
@@ -288,8 +292,15 @@ void main() {
             sum += litByPoint(pointLamps[i], surface);
         }
         for (int i = 0; i < view.lampCounts.z; ++i) {
-            sum += reflected(surface, directionalLamps[i].towardsLamp.xyz) *
-                   directionalLamps[i].lux.rgb;
+            vec3 light = reflected(surface, directionalLamps[i].towardsLamp.xyz) *
+                         directionalLamps[i].lux.rgb;
+#ifdef SUN_SHADOW
+            // The sun is the last one.
+            if (i == view.lampCounts.z - 1 && light != vec3(0.0)) {
+                light *= sunOnSurface(viewPosition, surface.geometric);
+            }
+#endif
+            sum += light;
         }
     }
     float eyeMetres = view.halfExtent.z > 0.5 ? -viewPosition.z : length(viewPosition);

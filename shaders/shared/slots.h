@@ -11,6 +11,7 @@ const int kMaterialSlot = 3;  // a window onto its material
 const int kAtmosphereSlot = 4;
 const int kSkySlot = 5;
 const int kPrecomputedSkySlot = 6;
+const int kSunShadowSlot = 7;
 // Shader storage.
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
@@ -41,6 +42,8 @@ const int kMieSourcesUnit = 11;
 const int kSkyIrradianceUnit = 12;
 const int kSkyViewUnit = 13;
 const int kAerialUnit = 14;
+const int kSunShadowUnit = 15;
+const int kSunDepthUnit = 16;  // the same, read without comparing
 const int kSkyTableUnit = 0;  // an image
 const int kSkyTransmittanceUnit = 9;  // of a precomputed sky, which has no other tables
 const int kSkyPlaneUnit = 10;

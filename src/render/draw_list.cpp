@@ -30,4 +30,9 @@ const Material& materialOf(const Scene& scene, const DrawItem& item) {
     return item.material < 0 ? defaultMaterial : scene.materials[std::size_t(item.material)];
 }
 
+bool castsShadow(const Scene& scene, const DrawItem& item) {
+    return primitiveOf(scene, item).topology == Topology::kTriangles &&
+           materialOf(scene, item).alphaMode != Material::AlphaMode::kBlend;
+}
+
 }  // namespace ribalta

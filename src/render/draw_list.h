@@ -25,4 +25,7 @@ const Primitive& primitiveOf(const Scene& scene, const DrawItem& item);
 /// The item's material, glTF's default where it names none.
 const Material& materialOf(const Scene& scene, const DrawItem& item);
 
+/// Points, lines and what is blended cast none.
+bool castsShadow(const Scene& scene, const DrawItem& item);
+
 }  // namespace ribalta

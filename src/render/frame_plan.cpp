@@ -21,11 +21,6 @@ constexpr int kMaxShadowSide = 2048;
 // A scene without a floor or walls still has an end for the planes.
 constexpr double kEmptySceneDepth = 100.0;
 
-bool castsShadow(const Scene& scene, const DrawItem& item) {
-    return primitiveOf(scene, item).topology == Topology::kTriangles &&
-           materialOf(scene, item).alphaMode != Material::AlphaMode::kBlend;
-}
-
 double depthOf(const Camera& camera, const glm::dvec3& point) {
     return glm::dot(camera.frame.forward(), point - camera.frame.position);
 }
@@ -282,6 +277,8 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
     if (settings.sky) {
         std::erase(plan.directionalLights, settings.sky->sunLamp);
         plan.sky = planSky(scene, camera, settings, plan.forward.has_value(), cache.sky);
+        plan.sunShadow = planSunShadow(scene, *settings.sky, camera, settings.width,
+                                       settings.height, plan.draws, visible, cache.sunShadow);
     }
     if (settings.haze.scatteringPerMetre > 0.0) {
         planBeams(scene, outlines, cache, plan);
@@ -295,6 +292,9 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
 void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cache) {
     if (plan.sky) {
         keepForNextFrame(*plan.sky, cache.sky);
+    }
+    if (plan.sunShadow) {
+        keepForNextFrame(scene, plan.draws, *plan.sunShadow, cache.sunShadow);
     }
     if (plan.shadowMaps.layers == 0) {
         return;
@@ -319,6 +319,9 @@ void FramePlan::keepPicture() {
     shadowMapsKept += int(shadowMapWork.size());
     shadowMapWork.clear();
     shadowPyramidWork.clear();
+    for (int i = 0; sunShadow && i < int(sunShadow->cascades.size()); ++i) {
+        sunShadow->cascades[std::size_t(i)].kept = true;
+    }
 }
 
 std::string FramePlan::describe() const {
@@ -332,6 +335,9 @@ std::string FramePlan::describe() const {
     }
     if (!shadowPyramidWork.empty()) {
         add("shadow_pyramid[" + std::to_string(shadowPyramidWork.size()) + "]");
+    }
+    if (sunShadow && sunShadow->drawn() > 0) {
+        add("sun_shadow[" + std::to_string(sunShadow->drawn()) + "]");
     }
     if (forward) {
         add("forward");

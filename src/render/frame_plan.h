@@ -11,6 +11,7 @@
 #include "render/frame_settings.h"
 #include "render/plan_lamps.h"
 #include "render/plan_sky.h"
+#include "render/plan_sun_shadow.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
 
@@ -33,6 +34,7 @@ struct FrameCache {
     std::vector<std::optional<ShadowKey>> shadowLayers;  ///< by layer
     std::vector<bool> pyramidLayers;                     ///< by layer: its pyramid is of this map
     SkyCache sky;
+    SunShadowCache sunShadow;
 };
 
 /// One lamp's shadow map to draw.
@@ -101,6 +103,7 @@ struct FramePlan {
     std::vector<int> shadowPyramidWork;        ///< layers; empty: not used, or all kept
     std::optional<ForwardWork> forward;        ///< absent: nothing to see
     std::optional<SkyWork> sky;                ///< absent: no sky is asked for
+    std::optional<SunShadowWork> sunShadow;    ///< absent: no sun, or nothing casts
     std::optional<BeamsWork> beams;            ///< absent: clear air, or no beam in view
     std::optional<TonemapWork> tonemap;        ///< absent: no picture for a screen is asked for
 

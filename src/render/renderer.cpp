@@ -59,12 +59,19 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     if (!plan_.shadowMapWork.empty()) {
         timer_.begin("shadow_map");
         const DebugGroup group("shadow_map");
-        madeOnFirstUse(shadowMapPass_).draw(plan_.shadowMapWork, scene_, plan_, gpuScene_);
+        madeOnFirstUse(shadowMapPass_)
+            .draw(plan_.shadowMapWork, scene_, plan_, gpuScene_, drawCasters_);
     }
     if (!plan_.shadowPyramidWork.empty()) {
         timer_.begin("shadow_pyramid");
         const DebugGroup group("shadow_pyramid");
         madeOnFirstUse(shadowPyramidPass_).draw(plan_.shadowPyramidWork, shadowMaps());
+    }
+    if (plan_.sunShadow) {
+        timer_.begin("sun_shadow");
+        const DebugGroup group("sun_shadow");
+        madeOnFirstUse(sunShadow_).draw(*plan_.sunShadow, scene_, plan_, gpuScene_, drawCasters_);
+        sunShadow_->bind(*plan_.sunShadow, plan_);
     }
     timer_.begin("forward");
     clear(*targets_);

@@ -19,6 +19,7 @@
 #include "render/passes/shadow_map.h"
 #include "render/passes/shadow_pyramid.h"
 #include "render/passes/sky.h"
+#include "render/passes/sun_shadow.h"
 #include "render/passes/tonemap.h"
 
 namespace ribalta {
@@ -78,10 +79,12 @@ class Renderer {
     FramePlan plan_;
     PassTimer timer_;
     std::optional<FrameTargets> targets_;
+    DrawCasters drawCasters_;
     std::optional<ShadowMapPass> shadowMapPass_;
     std::optional<ShadowPyramidPass> shadowPyramidPass_;
     std::optional<ForwardPass> forward_;
     std::optional<SkyPass> sky_;
+    std::optional<SunShadowPass> sunShadow_;
     std::optional<AdaptiveBeamsPass> adaptiveBeams_;
     std::optional<ClippedBeamsPass> clippedBeams_;
     std::optional<PlaneBeamsPass> planeBeams_;

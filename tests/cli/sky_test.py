@@ -2,6 +2,7 @@
 
 import csv
 import io
+import json
 import math
 import unittest
 
@@ -90,34 +91,6 @@ class Tables(CommandTest):
             self.assertAlmostEqual(float(auto[name]) / float(reference[name]), 1, delta=5e-3)
             self.assertNotEqual(auto[name], reference[name])
 
-    def test_models_of_the_literature(self):
-        small = "--table-size=16x32x32x4"
-        [reference] = self.table(HEADER + ZENITH, "--orders=2")
-        [once] = self.table(HEADER + ZENITH, "--orders=1")
-        [clean] = self.table(HEADER + ZENITH, "--orders=1", "--rayleigh-only")
-        for right, off, options in [
-            (reference, 0.06, ["--model=bruneton", "--orders=2", small]),
-            (reference, 0.06, ["--model=bruneton", "--orders=2", small, "--precision=single",
-                               "--irradiance-size=32x8", "--transmittance-size=128x32"]),
-            (once, 0.02, ["--model=single", small]),
-            (once, 0.08, ["--model=single", "--texels=2008", "--table-size=16x64x64x1"]),
-            (clean, 0.04, ["--model=single", small, "--rayleigh-only"]),
-            (clean, 0.05, ["--model=chapman"]),
-            (clean, 0.002, ["--model=chapman", "--chapman=better", "--segments=100"]),
-        ]:
-            [row] = self.table(HEADER + ZENITH, *options)
-            for name in NEW:
-                self.assertAlmostEqual(float(row[name]) / float(right[name]), 1, delta=off,
-                                       msg=f"{options} {name}")
-
-    def test_says_what_tables_took(self):
-        self.write("points.csv", (HEADER + ZENITH).encode())
-        told = self.expect_done("sky", "--points", "points.csv", "-o", "-", "--model=single",
-                                "--table-size=8x16x16x4", "--verbose").stderr
-        # Two of 8 x 16 x 64 texels and one of 256 x 64, of 8 and 16 bytes.
-        self.assertIn("384 KB kept", told)
-        self.assertIn("dispatches", told)
-
 
 class Pictures(CommandTest):
     def render(self, *options):
@@ -128,7 +101,24 @@ class Pictures(CommandTest):
         self.assertNotIn("sky", self.render())
         told = self.render("--sky=auto", "--sun=20,90", "--sky-orders=1")
         self.assertIn("sky_tables sky_view", told)
-        self.assertIn("the sun casts no shadows", told)
+        self.assertIn("no shafts", told)
+        self.assertIn("sun_shadow[", told)
+        self.assertNotIn("sun_shadow[", self.render("--sky=auto", "--sun=-5,90", "--sky-orders=1"))
+
+    def test_counts_the_suns_shadow_maps(self):
+        def counters(*options):
+            self.render("--sky-orders=1", "--stats=stats.json", *options)
+            counted = json.loads((self.folder / "stats.json").read_text())["counters"]
+            return [counted["sun_" + name] for name in
+                    ("shadow_maps_drawn", "shadow_maps_kept", "casters_drawn", "casters_culled")]
+
+        drawn, kept, casters, _ = counters("--sky=auto", "--sun=20,90", "--repeat=3")
+        self.assertGreater(drawn, 0)
+        self.assertEqual(kept, 2 * drawn)
+        self.assertGreaterEqual(casters, drawn)
+        self.assertEqual(counters("--sky=auto", "--sun=20,90", "--repeat=3", "--redraw")[:2],
+                         [3 * drawn, 0])
+        self.assertEqual(counters("--sky=auto", "--sun=-5,90"), [0, 0, 0, 0])
 
     def test_says_where_the_sun_stands_by_default(self):
         self.assertIn("30,135", self.render("--sky=auto", "--sky-orders=1"))

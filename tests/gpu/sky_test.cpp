@@ -178,6 +178,7 @@ TEST_F(Sky, TablesTakeATenthOfTheThesiss) {
     };
     const std::uint64_t without = bytesFor();
     settings.sky.emplace();
+    settings.sky->towardsSun = {std::cos(-0.1), std::sin(-0.1), 0.0};  // down: no shadow maps
     const std::uint64_t with = bytesFor();
     EXPECT_GT(with, without);
     EXPECT_LT(with - without, 1444U * 1024U);
@@ -346,10 +347,15 @@ TEST_F(SkyPicture, NoSkyMakesNothing) {
     const auto with = made(settings_);
     EXPECT_EQ(without[0], 1U) << "surfaces";
     EXPECT_EQ(without[2], 1U);
-    // The view's table, the air's, and what puts them together.
-    EXPECT_EQ(with[0] - without[0], 3U);
-    EXPECT_EQ(with[1] - without[1], 3U) << "and the optical lengths, for one order";
-    EXPECT_EQ(with[2] - without[2], 3U);
+    // The view's table, the air's, what puts them together, and the sun's shadows.
+    EXPECT_EQ(with[0] - without[0], 4U);
+    EXPECT_EQ(with[1] - without[1], 4U) << "and the optical lengths, for one order";
+    EXPECT_EQ(with[2] - without[2], 4U);
+    settings_.sky->towardsSun = {std::cos(-0.1), std::sin(-0.1), 0.0};
+    const auto night = made(settings_);
+    EXPECT_EQ(with[0] - night[0], 1U) << "no shadows while the sun is down";
+    EXPECT_EQ(with[1] - night[1], 1U);
+    EXPECT_EQ(with[2] - night[2], 1U);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <shared/lamp.h>
 #include <shared/sky.h>
 #include <shared/slots.h>
+#include <shared/sun_shadow.h>
 #include <shared/surface.h>
 #include <shared/view.h>
 
@@ -156,6 +157,14 @@ TEST_F(StructLayout, WhatTheSkyReads) {
                     {"sky.sunLux", offsetof(gpu::SkyFrame, sunLux)},
                     {"sky.irradiance[0]", offsetof(gpu::SkyFrame, irradiance)}},
                    sizeof(gpu::SkyFrame), 10);
+    const Program shadowed({"passes/forward.vert", "passes/forward.frag"}, {"SKY", "SUN_SHADOW"});
+    expectUniforms(shadowed, "SunShadowBlock",
+                   {{"sunShadow.sunFromView", offsetof(gpu::SunShadow, sunFromView)},
+                    {"sunShadow.cascades[0]", offsetof(gpu::SunShadow, cascades)},
+                    {"sunShadow.depths[0]", offsetof(gpu::SunShadow, depths)},
+                    {"sunShadow.sun", offsetof(gpu::SunShadow, sun)},
+                    {"sunShadow.counts", offsetof(gpu::SunShadow, counts)}},
+                   sizeof(gpu::SunShadow), 5);
     const Program points({"passes/sky_points.comp"});
     expectBuffer(points, "Rays", "rays", {MEMBER(SkyRayStart, ray), MEMBER(SkyRayStart, way)},
                  sizeof(gpu::SkyRayStart), 2);

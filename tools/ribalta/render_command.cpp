@@ -94,6 +94,11 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
         stats.frames.push_back(std::move(times));
         stats.shadowMapsDrawn += int(plan.shadowMapWork.size());
         stats.shadowMapsKept += plan.shadowMapsKept;
+        if (plan.sunShadow) {
+            const int drawn = plan.sunShadow->drawn();
+            stats.sunMapsDrawn += drawn;
+            stats.sunMapsKept += int(plan.sunShadow->cascades.size()) - drawn;
+        }
         if (i == 0) {
             stats.plan = plan.describe();
         }
@@ -152,7 +157,7 @@ void tellOfFrames(const std::string& scene, const RenderStats& stats) {
 
 // What the picture leaves out of the sky's doing.
 void tellOfSky(const SkyWork& sky) {
-    logNote("sky: the sun casts no shadows");
+    logNote("sky: daylight in the haze has no shafts: it meets no shadows on its way");
     if (sky.eye.belowMetres > 0.0) {
         char line[128];
         std::snprintf(line, sizeof line,

@@ -75,6 +75,12 @@ void countPlan(const FramePlan& plan, const Scene& scene, RenderStats& stats) {
     stats.shadowMapsNeedless = plan.shadowMapsNeedless;
     stats.castersDrawn = plan.castersDrawn;
     stats.castersCulled = plan.castersCulled;
+    if (plan.sunShadow) {
+        for (const SunCascade& cascade : plan.sunShadow->cascades) {
+            stats.sunCastersDrawn += int(cascade.casters.size());
+        }
+        stats.sunCastersCulled = plan.sunShadow->castersCulled;
+    }
 }
 
 std::string describeTimes(const RenderStats& stats) {
@@ -126,6 +132,10 @@ void writeStats(const std::filesystem::path& file, const RenderStats& stats) {
           {"shadow_maps_needless", stats.shadowMapsNeedless},
           {"casters_drawn", stats.castersDrawn},
           {"casters_culled", stats.castersCulled},
+          {"sun_shadow_maps_drawn", stats.sunMapsDrawn},
+          {"sun_shadow_maps_kept", stats.sunMapsKept},
+          {"sun_casters_drawn", stats.sunCastersDrawn},
+          {"sun_casters_culled", stats.sunCastersCulled},
           {"draw_calls", stats.drawCalls},
           {"samples", stats.samples},
           {"runs_lit", stats.runs.lit},

@@ -38,6 +38,10 @@ struct RenderStats {
     int shadowMapsNeedless = 0;
     int castersDrawn = 0;
     int castersCulled = 0;
+    int sunCastersDrawn = 0;
+    int sunCastersCulled = 0;
+    int sunMapsDrawn = 0;         ///< over all frames
+    int sunMapsKept = 0;          ///< over all frames
     int framesKept = 0;           ///< over all frames
     int shadowMapsDrawn = 0;      ///< over all frames
     int shadowMapsKept = 0;       ///< over all frames

@@ -24,6 +24,9 @@ const Program& ForwardPass::program(const Variant& variant) {
         if (variant.sky) {
             defines.emplace_back("SKY");
         }
+        if (variant.sunShadow) {
+            defines.emplace_back("SUN_SHADOW");
+        }
         program = Program({"passes/forward.vert", "passes/forward.frag"}, defines);
     }
     return program;
@@ -38,7 +41,7 @@ void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuS
     PipelineState state;
     state.program =
         &program({gpuScene.hasTextures(item), material.alphaMode == Material::AlphaMode::kMask,
-                  normalOutput, plan.sky.has_value()});
+                  normalOutput, plan.sky.has_value(), plan.sunShadow.has_value()});
     state.vertexArray = gpuScene.vertexArray();
     state.depthTest = blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
     state.depthWrite = !blended;

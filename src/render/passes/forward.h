@@ -25,6 +25,7 @@ class ForwardPass {
         bool alphaMask = false;
         bool normalOutput = false;
         bool sky = false;
+        bool sunShadow = false;
 
         auto operator<=>(const Variant&) const = default;
     };

@@ -4,17 +4,17 @@
 #include <vector>
 
 #include "gl/framebuffer.h"
-#include "gl/program.h"
 #include "gl/texture.h"
 #include "render/frame_plan.h"
 #include "render/gpu_scene.h"
+#include "render/passes/draw_casters.h"
 
 namespace ribalta {
 
 class ShadowMapPass {
   public:
     void draw(const std::vector<ShadowMapWork>& work, const Scene& scene, const FramePlan& plan,
-              const GpuScene& gpuScene);
+              const GpuScene& gpuScene, DrawCasters& casters);
 
     /// The layers; none until the first draw.
     const Texture2D& maps() const { return maps_; }
@@ -22,8 +22,6 @@ class ShadowMapPass {
   private:
     void makeLayers(const ShadowMaps& wanted);
 
-    Program solid_;
-    Program masked_;
     Texture2D maps_;
     std::vector<Framebuffer> layers_;
 };

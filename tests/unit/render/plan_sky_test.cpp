@@ -23,7 +23,9 @@ struct Outdoors {
         settings.height = 48;
         settings.ev100 = 14.0;
         settings.sky.emplace();
-        addShape(scene, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}), makeMaterial(glm::vec3(0.5F)));
+        Material glass = makeMaterial(glm::vec3(0.5F));
+        glass.alphaMode = Material::AlphaMode::kBlend;  // casts no shadow
+        addShape(scene, makeQuad({0, 0, 0}, {5, 0, 0}, {0, 0, -5}), glass);
     }
     /// As one frame after the other.
     std::string nextLine() {
