@@ -123,6 +123,33 @@ class Pictures(CommandTest):
     def test_says_where_the_sun_stands_by_default(self):
         self.assertIn("30,135", self.render("--sky=auto", "--sky-orders=1"))
 
+    def test_sun_by_time_and_place(self):
+        # The example of NREL's SPA, whose elevation before refraction is 39.872 degrees.
+        place = ["--latitude=39.742476", "--longitude=-105.1786", "--sky-orders=1", "--sky=auto"]
+        for time in ["2003-10-17T12:30:30-07:00", "2003-10-17T19:30:30Z",
+                     "2003-10-17T19:30:30.0Z", "2003-10-18T01:00:30+0530"]:
+            self.assertIn("at 39.87,194.3", self.render("--sun-time", time, *place))
+        time = "--sun-time=2026-06-21T12:00Z"
+        for words, options in [
+            (["--sun-time", "'noon'", "2026-06-21T19:30Z"], ["--sun-time=noon", *place]),
+            (["'2026-06-21T12:00'", "time zone"], ["--sun-time=2026-06-21T12:00", *place]),
+            (["calendar"], ["--sun-time=2026-02-29T12:00Z", *place]),
+            (["calendar"], ["--sun-time=2026-06-21T24:00Z", *place]),
+            (["1900..2100"], ["--sun-time=1788-06-21T12:00Z", *place]),
+            (["T19:30Z"], ["--sun-time=2026-06-21T12:00Zulu", *place]),
+            (["T19:30Z"], ["--sun-time=2026-06-21T12:00:5Z", *place]),
+            (["--latitude DEGREES"], [time, "--longitude=8", "--sky=auto"]),
+            (["--longitude DEGREES"], [time, "--latitude=8", "--sky=auto"]),
+            (["--latitude", "'91'", "-90..90"], [time, "--latitude=91", "--longitude=0",
+                                                 "--sky=auto"]),
+            (["--longitude", "'west'"], [time, "--latitude=1", "--longitude=west", "--sky=auto"]),
+            (["--latitude", "--sun-time TIME"], ["--latitude=1", "--sky=auto"]),
+            (["--sun", "--sun-time", "one of them"], [time, "--sun=20,90", *place]),
+            (["--sun-time", "--sky auto"], [time, "--latitude=1", "--longitude=0"]),
+        ]:
+            self.expect_error(USAGE, words, "render", SCENES / "one_lamp.glb", "-o", "out.png",
+                              *options)
+
     def test_options(self):
         for words, options in [
             (["'blue'", "none, auto"], ["--sky=blue"]),

@@ -1,6 +1,7 @@
 #include "sky_options.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include <CLI/CLI.hpp>
@@ -68,6 +69,7 @@ void SkyOptions::addTo(CLI::App& command) {
             "north (-Z) through east (+X) (default: the file's first directional lamp, or "
             "30,135)")
         ->type_name("ELEVATION,AZIMUTH");
+    sunTime.addTo(command);
     command
         .add_option("--altitude", altitude,
                     "height of the scene's origin above the planet's ground in metres (default: 0)")
@@ -84,6 +86,14 @@ void SkyOptions::addTo(CLI::App& command) {
 void SkyOptions::check() const {
     if (sun) {
         parseSun(*sun);
+    }
+    if (sun && !sunTime.given().empty()) {
+        throw CLI::ValidationError(
+            "--sun", "and " + sunTime.given() + " both place the sun: give one of them");
+    }
+    sunTime.parsed();
+    if (sky == "none" && !sunTime.given().empty()) {
+        throw CLI::ValidationError(sunTime.given(), "needs a sky: give --sky auto");
     }
     if (sky == "none" && (sun || altitude || orders)) {
         throw CLI::ValidationError(sun        ? "--sun"
@@ -106,6 +116,15 @@ std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
     drawing.sunLamp = scene.directionalLights.empty() ? -1 : 0;
     if (sun) {
         drawing.towardsSun = parseSun(*sun);
+    } else if (const std::optional<SunInSky> place = sunTime.parsed()) {
+        drawing.towardsSun = towards(*place);
+        char line[160];
+        std::snprintf(line, sizeof line,
+                      "sky: at %s the sun stands at %.2f,%.2f (elevation without refraction, "
+                      "azimuth)",
+                      sunTime.time->c_str(), place->elevation * 180.0 / std::numbers::pi,
+                      place->azimuth * 180.0 / std::numbers::pi);
+        logNote(line);
     } else if (drawing.sunLamp == 0) {
         drawing.towardsSun = -scene.directionalLights.front().direction;
         logNote("sky: the sun stands where the directional lamp '" +

@@ -6,6 +6,7 @@
 
 #include "render/sky_settings.h"
 #include "scene/scene.h"
+#include "sun_time_options.h"
 
 namespace CLI {
 class App;
@@ -18,6 +19,7 @@ namespace ribalta {
 struct SkyOptions {
     std::string sky = "none";
     std::optional<std::string> sun;
+    SunTimeOptions sunTime;
     std::optional<double> altitude;
     std::optional<int> orders;
 
