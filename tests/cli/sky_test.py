@@ -123,6 +123,29 @@ class Pictures(CommandTest):
     def test_says_where_the_sun_stands_by_default(self):
         self.assertIn("30,135", self.render("--sky=auto", "--sky-orders=1"))
 
+    def test_the_files_directional_lamp_is_the_sun(self):
+        # Turned by 30 degrees about x from shining along -z, then by 90 about y: from the west.
+        half, other = math.sin(math.radians(-15)), math.cos(math.radians(-15))
+        turn = math.sqrt(0.5)
+        lamp = {"type": "directional", "name": "key", "intensity": 7}
+        rotation = [turn * half, -turn * other, turn * half, turn * other]
+        self.write("sun.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "extensionsUsed": ["KHR_lights_punctual"],
+            "extensions": {"KHR_lights_punctual": {"lights": [lamp]}},
+            "nodes": [{"rotation": rotation,
+                       "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+        }).encode())
+        command = ["render", "sun.gltf", "--size=32x24", "--sky=auto", "--sky-orders=1"]
+        told = self.expect_done(*command, "-o", "lamp.png").stderr
+        self.assertIn("directional lamp 'key'", told)
+        self.expect_done(*command, "-o", "told.png", "--sun=30,270")
+        self.expect_done(*command, "-o", "else.png", "--sun=30,90")
+        pictures = [(self.folder / name).read_bytes() for name in
+                    ("lamp.png", "told.png", "else.png")]
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertNotEqual(pictures[0], pictures[2])
+
     def test_sun_by_time_and_place(self):
         # The example of NREL's SPA, whose elevation before refraction is 39.872 degrees.
         place = ["--latitude=39.742476", "--longitude=-105.1786", "--sky-orders=1", "--sky=auto"]
