@@ -1,6 +1,13 @@
 // The sky, the planet's ground and the sun behind everything, the air in front of surfaces, and the
-// daylight that the stage's haze scatters.
+// daylight that the stage's haze scatters. By the renderer's own tables, or with SKY_BASELINE by a
+// model of the literature.
+#include "passes/sky_block.glsl"
+#include "lib/phase_function.glsl"
+#ifdef SKY_BASELINE
+#include "passes/sky_baseline_seen.glsl"
+#else
 #include "passes/sky_seen.glsl"
+#endif
 #include "passes/sky_haze.glsl"
 #include "shared/view.h"
 #include "lib/haze.glsl"
@@ -9,8 +16,6 @@
 layout(local_size_x = kSkyGroup, local_size_y = kSkyGroup) in;
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
-layout(binding = kSkyViewUnit) uniform sampler2DArray skyView;
-layout(binding = kAerialUnit) uniform sampler2DArray aerial;
 layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
 
 /// Limb darkening: the disc's radiance is that of its middle times cos^kLimb, the angle being that
@@ -18,6 +23,10 @@ layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
 const vec3 kLimb = vec3(0.42, 0.52, 0.68);
 
 const float kEndOfHaze = 1.0e6;  // metres
+
+#ifndef SKY_BASELINE
+layout(binding = kSkyViewUnit) uniform sampler2DArray skyView;
+layout(binding = kAerialUnit) uniform sampler2DArray aerial;
 
 /// For a sun of irradiance 1.
 vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
@@ -38,6 +47,8 @@ vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
     return textureLod(skyView, vec3(uv, layer), 0.0).rgb +
            textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb * phaseCornetteShanks(nu, air.mieG);
 }
+
+#endif
 
 /// The sun's disc, for a sun of irradiance 1.
 vec3 seenSun(Air air, vec3 direction) {
@@ -68,6 +79,7 @@ vec3 litHaze(vec3 direction, float metres) {
            (sky.sunLux.rgb * phase + around);
 }
 
+#ifndef SKY_BASELINE
 /// Dims `color` by the air in front of it and adds the air's light.
 vec3 throughAir(Air air, vec3 color, vec2 uv, vec3 direction, float metres) {
     vec2 size = vec2(kAerialAcross, kAerialDown);
@@ -86,6 +98,8 @@ vec3 throughAir(Air air, vec3 color, vec2 uv, vec3 direction, float metres) {
     vec3 added = metres * (rest.rgb + mie.rgb * phaseCornetteShanks(nu, air.mieG));
     return color * airTransmittance(air, metres * rest.a, metres * mie.a) + added * atmosphere.sun.rgb;
 }
+
+#endif
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);

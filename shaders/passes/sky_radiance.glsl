@@ -2,13 +2,10 @@
 // planet's shadow, light scattered before out of the tables of sources. Nothing is subtracted but
 // optical lengths. Rays as in lib/air_shell.glsl. Where SOURCES is not defined there is only light
 // scattered once, and no table of the rest.
-#include "shared/slots.h"
-#include "passes/sky_air.glsl"
-#include "shared/sky.h"
+#include "passes/sky_block.glsl"
 #include "lib/phase_function.glsl"
 #include "lib/sky_tables.glsl"
 
-layout(std140, binding = kSkySlot) uniform SkyBlock { SkyFrame sky; };
 layout(binding = kOpticalLengthsUnit) uniform sampler2D opticalLengths;
 #ifdef SOURCES
 layout(binding = kRayleighSourcesUnit) uniform sampler2DArray rayleighSources;
@@ -18,7 +15,6 @@ layout(binding = kSkyIrradianceUnit) uniform sampler2D groundIrradiance;
 
 // Gauss and Legendre's nodes over 0..1 and their weights; and the integrals from 0 to each node of
 // the polynomials that are 1 at one node: [to][of].
-const float kSkyInversePi = 0.318309886183791;
 const int kSkyNodes = 8;
 const float kNodes[kSkyNodes] = float[kSkyNodes](
     0.019855072, 0.101666761, 0.237233795, 0.408282679, 0.591717321, 0.762766205, 0.898333239, 0.980144928);

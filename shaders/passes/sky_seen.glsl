@@ -3,8 +3,6 @@
 // and its first row at the horizon, so that none takes light from beyond it.
 #include "passes/sky_radiance.glsl"
 
-const float kSkyPi = 3.14159265358979;
-
 /// Angle from the zenith to the horizon at a height.
 float horizonAngle(Air air, float h) {
     return 0.5 * kSkyPi + atan(sqrt(max(airSquare(air, h), 0.0)), air.groundRadius);
@@ -19,17 +17,4 @@ float upperSpan(Air air, float h) {
     }
     float beyond = (h - air.top) * (2.0 * air.groundRadius + h + air.top);
     return horizon - (0.5 * kSkyPi + atan(sqrt(beyond), air.groundRadius + air.top));
-}
-
-/// Moves a ray of any height to where it is in the air; false where it passes it by.
-bool intoAir(Air air, inout vec4 ray, OUT(float) entry) {
-    entry = 0.0;
-    if (ray.x <= air.top) {
-        return true;
-    }
-    float mu;
-    float muS;
-    bool hit = enterAir(air, ray.x, ray.y, ray.z, ray.w, entry, mu, muS);
-    ray = vec4(air.top, mu, muS, ray.w);
-    return hit;
 }

@@ -9,12 +9,16 @@ namespace ribalta {
 struct SkyPlaneSize {
     int across = 0;
     int heights = 0;
+
+    bool operator==(const SkyPlaneSize&) const = default;
 };
 struct SkyVolumeSize {
     int heights = 0;
     int viewAngles = 0;  ///< even: half of them hit the ground
     int suns = 0;
     int sunAngles = 0;  ///< between ray and sun; 1: none told from others
+
+    bool operator==(const SkyVolumeSize&) const = default;
 };
 
 /// A table takes at most 4096 texels a side; its volume is suns * sunAngles texels wide.
@@ -32,6 +36,8 @@ struct PrecomputedSkySettings {
     SkyVolumeSize scattering{32, 128, 32, 8};
     SkyPlaneSize irradiance{64, 16};
     float lowestSun = -0.2079117F;  ///< cosine; 102 degrees from the zenith
+
+    bool operator==(const PrecomputedSkySettings&) const = default;
 };
 
 /// At the sizes of the thesis that proposed it.
@@ -47,6 +53,8 @@ inline PrecomputedSkySettings simplifiedSky() {
 struct ChapmanSky {
     bool better = false;  ///< the better form of Chapman's function instead of Schuler's
     int segments = 64;    ///< of each ray, 1..4096
+
+    bool operator==(const ChapmanSky&) const = default;
 };
 
 /// What making a sky's tables took, and what they hold.

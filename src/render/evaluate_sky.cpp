@@ -1,11 +1,9 @@
 #include "render/evaluate_sky.h"
 
-#include <shared/sky.h>
 #include <shared/slots.h>
 
 #include "gl/buffer.h"
 #include "gl/counters.h"
-#include "gl/program.h"
 #include "render/sky_textures.h"
 
 namespace ribalta {
@@ -14,8 +12,10 @@ namespace {
 // As many rays as one dispatch of any OpenGL takes.
 constexpr std::size_t kMostRays = std::size_t(65535) * gpu::kSkyRayGroup;
 
-std::vector<gpu::SkyRayLight> run(const Program& program,
-                                  const std::vector<gpu::SkyRayStart>& starts) {
+}  // namespace
+
+std::vector<gpu::SkyRayLight> runSkyRays(const Program& program,
+                                         const std::vector<gpu::SkyRayStart>& starts) {
     Buffer rays("sky rays", bytesOf(starts));
     std::vector<gpu::SkyRayLight> result(starts.size());
     Buffer lights("sky lights", bytesOf(result));
@@ -29,8 +29,6 @@ std::vector<gpu::SkyRayLight> run(const Program& program,
     return result;
 }
 
-}  // namespace
-
 std::vector<SkyLight> evaluateRays(const Atmosphere& air, std::span<const SkyRay> rays,
                                    const std::string& shader,
                                    const std::vector<std::string>& defines) {
@@ -42,7 +40,7 @@ std::vector<SkyLight> evaluateRays(const Atmosphere& air, std::span<const SkyRay
         if (starts.empty()) {
             return;
         }
-        const std::vector<gpu::SkyRayLight> found = run(program, starts);
+        const std::vector<gpu::SkyRayLight> found = runSkyRays(program, starts);
         for (std::size_t i = 0; i < found.size(); ++i) {
             lights[places[i]] = {glm::dvec3(found[i].transmittance), glm::dvec3(found[i].air),
                                  glm::dvec3(found[i].ground)};

@@ -5,10 +5,18 @@
 #include <string>
 #include <vector>
 
+#include <shared/sky.h>
+
+#include "gl/program.h"
 #include "sky/sky_ray.h"
 #include "sky/sky_tables.h"
 
 namespace ribalta {
+
+/// Runs a compute shader over rays, in one dispatch: it takes them at kSkyRaysSlot and writes a
+/// light each at kSkyLightsSlot; what else it reads must be bound.
+std::vector<gpu::SkyRayLight> runSkyRays(const Program& program,
+                                         const std::vector<gpu::SkyRayStart>& starts);
 
 /// Runs a model's program over rays. Its compute shader takes shared/sky.h's SkyRayStart at
 /// kSkyRaysSlot and writes a SkyRayLight each at kSkyLightsSlot; what else it reads must be bound.

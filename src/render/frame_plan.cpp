@@ -343,7 +343,8 @@ std::string FramePlan::describe() const {
         add("forward");
     }
     if (sky) {
-        add(std::string(sky->makeTables ? "sky_tables " : "") + (sky->makeView ? "sky_view " : "") +
+        const bool tables = sky->makeTables && sky->hasTables();
+        add(std::string(tables ? "sky_tables " : "") + (sky->makeView ? "sky_view " : "") +
             (sky->makeAerial ? "aerial " : "") + "sky");
     }
     if (beams) {

@@ -68,17 +68,20 @@ SkyWork planSky(const Scene& scene, const Camera& camera, const FrameSettings& s
     for (int i = 0; i < 8 && !bounds.isEmpty(); ++i) {
         farthest = std::max(farthest, glm::distance(camera.frame.position, bounds.corner(i)));
     }
-    work.makeTables = cache.air != work.drawing.air || cache.orders != work.drawing.orders;
-    work.makeView = work.makeTables || cache.view != work.viewKey();
+    const bool own = work.drawing.isOwn();
+    work.makeTables = cache.air != work.drawing.air || cache.model != work.drawing.model ||
+                      (own && cache.orders != work.drawing.orders);
+    work.makeView = own && (work.makeTables || cache.view != work.viewKey());
     work.aerial = surfaces;
     work.aerialKey = {camera, settings.width, settings.height, work.drawing, farthest};
-    work.makeAerial = surfaces && (work.makeTables || cache.aerial != work.aerialKey);
+    work.makeAerial = own && surfaces && (work.makeTables || cache.aerial != work.aerialKey);
     return work;
 }
 
 void keepForNextFrame(const SkyWork& work, SkyCache& cache) {
     cache.air = work.drawing.air;
     cache.orders = work.drawing.orders;
+    cache.model = work.drawing.model;
     cache.view = work.viewKey();
     if (work.makeTables) {
         cache.aerial.reset();

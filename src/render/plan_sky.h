@@ -55,6 +55,7 @@ struct AerialKey {
 struct SkyCache {
     std::optional<Atmosphere> air;  ///< of the tables that are there
     SkyOrders orders;
+    DrawnSky model;
     std::optional<SkyViewKey> view;
     std::optional<AerialKey> aerial;
 };
@@ -63,13 +64,15 @@ struct SkyWork {
     SkyDrawing drawing;
     SkyEye eye;
     bool makeTables = true;   ///< those of the air
-    bool makeView = true;     ///< what is seen from the eye's height
+    bool makeView = true;     ///< what is seen from the eye's height; the renderer's own model's
     bool aerial = false;      ///< there are surfaces to stand in the air
-    bool makeAerial = false;  ///< the table of the air before them
+    bool makeAerial = false;  ///< the table of the air before them; the own model's too
     AerialKey aerialKey;      ///< farthest: from the eye to the end of the scene
     /// Its middle is that of the cloud of haze, its faces lie where that has thinned out to 1 / e.
     Bounds haze;
 
+    /// Whether the model has tables of the air at all.
+    bool hasTables() const { return !std::holds_alternative<ChapmanSky>(drawing.model); }
     SkyViewKey viewKey() const { return {drawing.air, drawing.orders, eye.heightMetres, eye.muS}; }
 };
 

@@ -14,7 +14,10 @@ struct SkyLighting {
     SkyIrradiance lux;                     ///< by sky and ground
 };
 
-/// Where the scene's origin stands.
+/// Where the scene's origin stands, from what is there for a sun of irradiance 1.
+SkyLighting skyLighting(const SkyDrawing& sky, const glm::dvec3& sunlight,
+                        const SkyIrradiance& irradiance);
+/// By the tables of the renderer's own model.
 SkyLighting skyLighting(const SkyDrawing& sky, const SkyTables& tables);
 
 }  // namespace ribalta

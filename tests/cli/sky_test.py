@@ -173,9 +173,24 @@ class Pictures(CommandTest):
             self.expect_error(USAGE, words, "render", SCENES / "one_lamp.glb", "-o", "out.png",
                               *options)
 
+    def test_models_of_the_literature(self):
+        small = "--table-size=8x16x16x4"
+        for told, options in [
+            ("forward sky_tables sky ", ["--sky=bruneton", "--sky-orders=2", small]),
+            ("forward sky_tables sky ", ["--sky=single", "--rayleigh-only", small]),
+            ("forward sky ", ["--sky=chapman", "--chapman=better", "--segments=16"]),
+        ]:
+            self.assertIn(told, self.render("--sun=20,90", *options))
+
     def test_options(self):
         for words, options in [
-            (["'blue'", "none, auto"], ["--sky=blue"]),
+            (["'blue'", "none, auto, bruneton, single, chapman"], ["--sky=blue"]),
+            (["--table-size", "'8x8'", "four sizes"], ["--sky=bruneton", "--table-size=8x8"]),
+            (["--table-size", "--sky chapman"], ["--sky=chapman", "--table-size=8x8x8x1"]),
+            (["--chapman", "--sky auto"], ["--sky=auto", "--chapman=better"]),
+            (["--sky-orders", "--sky single", "once"], ["--sky=single", "--sky-orders=2"]),
+            (["--segments", "--sky none"], ["--segments=3"]),
+            (["--rayleigh-only", "--sky auto"], ["--rayleigh-only"]),
             (["--sun", "'91,0'", "-90..90"], ["--sky=auto", "--sun=91,0"]),
             (["--sun", "'20'", "ELEVATION,AZIMUTH"], ["--sky=auto", "--sun=20"]),
             (["--sun", "'high,0'"], ["--sky=auto", "--sun=high,0"]),

@@ -96,6 +96,10 @@ void SkyModelOptions::addTo(CLI::App& command) {
                                  std::to_string(kMostSkyOrders);
             },
             "");
+    addDetailsTo(command);
+}
+
+void SkyModelOptions::addDetailsTo(CLI::App& command) {
     command
         .add_option("--table-size", tableSize,
                     "with bruneton, single: texels of the scattering table, heights x view angles "
@@ -136,7 +140,8 @@ void SkyModelOptions::addTo(CLI::App& command) {
         ->check(CLI::Range(1, kMostTexels).description(""));
 }
 
-SkyModel SkyModelOptions::parsed() const {
+SkyModel SkyModelOptions::parsed(const std::string& modelOption,
+                                 const std::string& ordersOption) const {
     const bool tables = model == "bruneton" || model == "single";
     const bool chapman = model == "chapman";
     struct Given {
@@ -155,12 +160,13 @@ SkyModel SkyModelOptions::parsed() const {
     }};
     for (const Given& option : options) {
         if (option.given && !option.known) {
-            refuse(option.option, "means nothing to --model " + model + "; leave it out");
+            refuse(option.option, "means nothing to " + modelOption + " " + model + "; leave it out");
         }
     }
     const bool once = model == "single" || chapman;
     if (once && orders.value_or(1) != 1) {
-        refuse("--orders", "--model " + model + " knows light scattered once alone; leave it out");
+        refuse(ordersOption, modelOption + " " + model +
+                                 " knows light scattered once alone; leave it out");
     }
     if (chapman) {
         ChapmanSky sky;

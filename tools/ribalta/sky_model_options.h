@@ -23,8 +23,8 @@ struct AutoSky {
 };
 using SkyModel = std::variant<ReferenceSky, AutoSky, PrecomputedSkySettings, ChapmanSky>;
 
-/// The texts of --model and what belongs to it. Must outlive the parsing of the command it is added
-/// to.
+/// The texts of --model, --orders and of what belongs to one model alone. Must outlive the parsing
+/// of the command it is added to.
 struct SkyModelOptions {
     std::string model = "reference";
     std::optional<int> orders;
@@ -37,9 +37,13 @@ struct SkyModelOptions {
     std::optional<int> segments;
 
     void addTo(CLI::App& command);
+    /// All but --model and --orders.
+    void addDetailsTo(CLI::App& command);
 
-    /// What they mean. Throws CLI::ValidationError that says what was expected.
-    SkyModel parsed() const;
+    /// What they mean. Throws CLI::ValidationError that says what was expected, in the words of a
+    /// command that calls --model and --orders so.
+    SkyModel parsed(const std::string& modelOption = "--model",
+                    const std::string& ordersOption = "--orders") const;
 };
 
 }  // namespace ribalta

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <variant>
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +15,7 @@ namespace ribalta {
 namespace {
 
 constexpr double kHighestMetres = 1e9;
+constexpr const char* kSkies[] = {"none", "auto", "bruneton", "single", "chapman"};
 constexpr const char* kSunOfNoLamp = "30,135";
 
 // From elevation and azimuth in degrees.
@@ -51,14 +53,22 @@ std::string expectOrders(const std::string& text) {
 void SkyOptions::addTo(CLI::App& command) {
     command
         .add_option("--sky", sky,
-                    "none, or auto: sky, sun and the air in front of everything, in daylight's "
-                    "true brightness")
-        ->type_name("none|auto")
+                    "sky, sun and the air in front of everything, in daylight's true brightness: "
+                    "none; auto, the renderer's own model; or one of the literature to hold it "
+                    "against, with its own faults: bruneton (precomputed tables of every order, "
+                    "Bruneton & Neyret 2008 as described in 2017), single (their simplified "
+                    "variant: light scattered once), chapman (no tables: Schuler's form of "
+                    "Chapman's function, without haze)")
+        ->type_name("none|auto|bruneton|single|chapman")
         ->check(
             [](const std::string& text) {
-                return text == "none" || text == "auto"
-                           ? ""
-                           : "there is no sky '" + text + "'; there are: none, auto";
+                for (const char* known : kSkies) {
+                    if (text == known) {
+                        return std::string();
+                    }
+                }
+                return "there is no sky '" + text +
+                       "'; there are: none, auto, bruneton, single, chapman";
             },
             "")
         ->capture_default_str();
@@ -78,9 +88,11 @@ void SkyOptions::addTo(CLI::App& command) {
     command
         .add_option("--sky-orders", orders,
                     "how often light may be scattered or reflected by air and ground, 1..20 "
-                    "(default: as often as it happens)")
+                    "(default: as often as it happens; with bruneton 4, single and chapman 1)")
         ->type_name("COUNT")
         ->check(expectOrders, "");
+    command.add_flag("--rayleigh-only", rayleighOnly, "with a sky: air without haze (Mie)");
+    models.addDetailsTo(command);
 }
 
 void SkyOptions::check() const {
@@ -95,12 +107,28 @@ void SkyOptions::check() const {
     if (sky == "none" && !sunTime.given().empty()) {
         throw CLI::ValidationError(sunTime.given(), "needs a sky: give --sky auto");
     }
-    if (sky == "none" && (sun || altitude || orders)) {
+    if (sky == "none" && (sun || altitude || orders || rayleighOnly)) {
         throw CLI::ValidationError(sun        ? "--sun"
                                    : altitude ? "--altitude"
-                                              : "--sky-orders",
+                                   : orders   ? "--sky-orders"
+                                              : "--rayleigh-only",
                                    "needs a sky: give --sky auto");
     }
+    static_cast<void>(model());
+}
+
+DrawnSky SkyOptions::model() const {
+    SkyModelOptions asked = models;
+    asked.model = sky;
+    asked.orders = orders;
+    const SkyModel parsed = asked.parsed("--sky", "--sky-orders");
+    if (const auto* settings = std::get_if<PrecomputedSkySettings>(&parsed)) {
+        return *settings;
+    }
+    if (const auto* chapman = std::get_if<ChapmanSky>(&parsed)) {
+        return *chapman;
+    }
+    return OwnSky();
 }
 
 std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
@@ -109,6 +137,11 @@ std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
         return std::nullopt;
     }
     SkyDrawing drawing;
+    drawing.model = model();
+    // Schuler's model has no haze, whatever passes through its air.
+    if (rayleighOnly || std::holds_alternative<ChapmanSky>(drawing.model)) {
+        drawing.air = withoutMie(drawing.air);
+    }
     drawing.altitudeMetres = altitude.value_or(0.0);
     if (orders) {
         drawing.orders = {*orders, false};

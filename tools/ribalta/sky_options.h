@@ -6,6 +6,7 @@
 
 #include "render/sky_settings.h"
 #include "scene/scene.h"
+#include "sky_model_options.h"
 #include "sun_time_options.h"
 
 namespace CLI {
@@ -14,14 +15,16 @@ class App;
 
 namespace ribalta {
 
-/// The texts of --sky, --sun, --altitude and --sky-orders. Must outlive the parsing of the command
-/// it is added to.
+/// The texts of --sky, --sun, --altitude, --sky-orders and of what belongs to one model of the sky.
+/// Must outlive the parsing of the command it is added to.
 struct SkyOptions {
     std::string sky = "none";
+    SkyModelOptions models;
     std::optional<std::string> sun;
     SunTimeOptions sunTime;
     std::optional<double> altitude;
     std::optional<int> orders;
+    bool rayleighOnly = false;
 
     void addTo(CLI::App& command);
 
@@ -30,6 +33,9 @@ struct SkyOptions {
     std::optional<SkyDrawing> parsed(const Scene& scene) const;
     /// The same checks without a scene.
     void check() const;
+
+  private:
+    DrawnSky model() const;
 };
 
 }  // namespace ribalta

@@ -1,5 +1,7 @@
 #include "render/passes/sky.h"
 
+#include <utility>
+
 #include <shared/sky.h>
 #include <shared/slots.h>
 
@@ -22,18 +24,33 @@ Texture2D table(const std::string& label, const Texture2D::Size& size) {
 
 }  // namespace
 
+void SkyPass::prepareTables(const SkyWork& work) {
+    if (work.drawing.isOwn()) {
+        textures_.make(work.drawing.air, work.drawing.orders, files_);
+        baseline_.reset();
+    } else {
+        BaselineSky made(work.drawing.air, work.drawing.model);
+        baseline_ = std::move(made);
+        textures_ = {};
+        viewTable_ = {};
+        aerialTable_ = {};
+    }
+}
+
 const SkyLighting& SkyPass::prepare(const SkyWork& work) {
     if (work.makeTables) {
-        textures_.make(work.drawing.air, work.drawing.orders, files_);
+        prepareTables(work);
     }
-    if (textures_.defines() != defines_) {
-        defines_ = textures_.defines();
+    const std::vector<std::string> defines = baseline_ ? baseline_->defines() : textures_.defines();
+    if (defines != defines_) {
+        defines_ = defines;
         view_ = {};
         aerial_ = {};
         composite_.clear();
     }
     if (lit_ != work.drawing) {
-        lighting_ = skyLighting(work.drawing, textures_.tables());
+        lighting_ = baseline_ ? baseline_->lighting(work.drawing)
+                              : skyLighting(work.drawing, textures_.tables());
         lit_ = work.drawing;
     }
     return lighting_;
@@ -41,7 +58,7 @@ const SkyLighting& SkyPass::prepare(const SkyWork& work) {
 
 void SkyPass::uploadFrame(const SkyWork& work, const Camera& camera) {
     const glm::dmat3 turn(viewFromWorld(camera));
-    const glm::dvec3 suns = textures_.tables().suns();
+    const glm::dvec3 suns = baseline_ ? glm::dvec3(0.0) : textures_.tables().suns();
     gpu::SkyFrame frame{};
     frame.worldFromView = worldFromView(camera);
     frame.zenith = glm::vec4(turn * work.eye.zenith, work.eye.heightMetres);
@@ -78,8 +95,12 @@ void SkyPass::makeTable(Program& program, const std::string& shader, const Textu
 }
 
 void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTargets& targets) {
-    textures_.bind();
-    if (!viewTable_) {
+    if (baseline_) {
+        baseline_->bind();
+    } else {
+        textures_.bind();
+    }
+    if (!viewTable_ && work.makeView) {
         viewTable_ = table("sky view", {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 4, 1});
     }
     if (work.makeView) {

@@ -12,6 +12,7 @@
 #include "gl/texture.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"
+#include "render/passes/sky_baseline.h"
 #include "render/sky_lighting.h"
 #include "render/sky_textures.h"
 
@@ -33,8 +34,11 @@ class SkyPass {
     void makeTable(Program& program, const std::string& shader, const Texture2D& table,
                    glm::ivec3 size);
 
+    void prepareTables(const SkyWork& work);
+
     const FileCache* files_;
     SkyTextures textures_;
+    std::optional<BaselineSky> baseline_;  ///< in the place of the renderer's own model
     std::optional<SkyDrawing> lit_;
     SkyLighting lighting_;
     std::vector<std::string> defines_;

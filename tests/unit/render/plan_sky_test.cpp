@@ -79,6 +79,23 @@ TEST(PlanSky, AMovedSunOrEyeKeepsTheAirsTables) {
     EXPECT_EQ(stage.nextLine(), "forward sky_tables sky_view aerial sky tonemap");
 }
 
+TEST(PlanSky, ModelsOfTheLiteratureHaveTheirTablesAlone) {
+    Outdoors stage;
+    stage.settings.sky->model = PrecomputedSkySettings{};
+    EXPECT_EQ(stage.nextLine(), "forward sky_tables sky tonemap");
+    stage.settings.sky->towardsSun = glm::normalize(glm::dvec3(1.0, 1.0, 0.0));
+    stage.settings.sky->orders = {1, false};
+    EXPECT_EQ(stage.nextLine(), "forward sky tonemap") << "tables of all suns; orders of its own";
+    stage.settings.sky->model = simplifiedSky();
+    EXPECT_EQ(stage.nextLine(), "forward sky_tables sky tonemap");
+    stage.settings.sky->air = withoutMie(Atmosphere());
+    EXPECT_EQ(stage.nextLine(), "forward sky_tables sky tonemap");
+    stage.settings.sky->model = ChapmanSky{};
+    EXPECT_EQ(stage.nextLine(), "forward sky tonemap");
+    stage.settings.sky->model = OwnSky{};
+    EXPECT_EQ(stage.nextLine(), "forward sky_tables sky_view aerial sky tonemap");
+}
+
 TEST(PlanSky, NothingInViewNeedsNoAirBeforeIt) {
     Outdoors stage;
     stage.camera = makeCamera({0, 2, 8}, {0, 9, 20});
