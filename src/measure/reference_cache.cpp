@@ -24,6 +24,8 @@ std::string keyOf(const ReferenceView& view, const std::string& sceneHash,
     hash.add(view.haze);
     hash.add(view.ambient);
     hash.add(view.visibility);
+    hash.add(view.sky);
+    hash.add(view.skyAir);
     hash.add(std::as_bytes(std::span(&settings.relativeError, 1)));
     if (settings.drawn != nullptr) {
         hash.add(settings.drawn->depths);

@@ -20,14 +20,18 @@ struct ViewFact {
 };
 
 // In the order in which they are compared.
-constexpr std::array<ViewFact, 6> kView = {{{"scene", &ReferenceView::scene},
+constexpr std::array<ViewFact, 8> kView = {{{"scene", &ReferenceView::scene},
                                             {"size", &ReferenceView::size},
                                             {"camera", &ReferenceView::camera},
                                             {"haze", &ReferenceView::haze},
                                             {"ambient", &ReferenceView::ambient},
-                                            {"visibility", &ReferenceView::visibility}}};
+                                            {"visibility", &ReferenceView::visibility},
+                                            {kSkyFact, &ReferenceView::sky},
+                                            {"sky_air", &ReferenceView::skyAir}}};
 constexpr const char* kLargestError = "largest_error";
 constexpr const char* kRmsError = "rms_error";
+constexpr const char* kLargestSkyError = "largest_sky_error";
+constexpr const char* kRmsSkyError = "rms_sky_error";
 
 /// With all digits, so that equal texts are equal numbers.
 std::string number(double value) {
@@ -64,6 +68,16 @@ std::string describeHaze(const Haze& haze) {
            number(haze.phase.g) + " K " + number(haze.phase.k);
 }
 
+std::string describeAir(const Atmosphere& air) {
+    return "ground " + number(air.groundRadiusMetres) + " top " + number(air.topMetres) +
+           " rayleigh " + numbers(air.rayleighScatteringPerMetre) + " height " +
+           number(air.rayleighScaleHeightMetres) + " mie " + numbers(air.mieScatteringPerMetre) +
+           " of " + numbers(air.mieExtinctionPerMetre) + " height " +
+           number(air.mieScaleHeightMetres) + " g " + number(air.mieG) + " albedo " +
+           numbers(air.groundAlbedo) + " lux " + numbers(air.sunIlluminanceLux) + " radius " +
+           number(air.sunAngularRadius);
+}
+
 // Null where the picture does not say so.
 template <typename Value>
 const Value* findFact(const FloatImage& image, const char* name) {
@@ -77,6 +91,9 @@ std::optional<ReferenceFacts> factsOf(const FloatImage& image) {
     for (const ViewFact& fact : kView) {
         const auto* text = findFact<std::string>(image, fact.name);
         if (text == nullptr) {
+            if (fact.text == &ReferenceView::sky || fact.text == &ReferenceView::skyAir) {
+                continue;  // drawn before there were skies
+            }
             return std::nullopt;
         }
         facts.view.*fact.text = *text;
@@ -88,10 +105,19 @@ std::optional<ReferenceFacts> factsOf(const FloatImage& image) {
     }
     facts.largestError = *largest;
     facts.rmsError = *rms;
+    const auto* largestOfSky = findFact<double>(image, kLargestSkyError);
+    const auto* rmsOfSky = findFact<double>(image, kRmsSkyError);
+    facts.skyError = {largestOfSky != nullptr ? *largestOfSky : 0.0,
+                      rmsOfSky != nullptr ? *rmsOfSky : 0.0};
     return facts;
 }
 
 }  // namespace
+
+std::string describeSky(const SkyOverScene& sky) {
+    return "sun " + numbers(sky.towardsSun) + " altitude " + number(sky.altitudeMetres) +
+           " orders " + (sky.orders.closed ? "all" : std::to_string(sky.orders.count));
+}
 
 ReferenceView describeReference(const std::string& scene, const ReferenceSettings& settings) {
     return {oneLine(scene),
@@ -99,7 +125,9 @@ ReferenceView describeReference(const std::string& scene, const ReferenceSetting
             describeCamera(settings.camera),
             describeHaze(settings.haze),
             number(settings.ambientLux),
-            settings.drawn == nullptr ? "geometry" : "shadow-map"};
+            settings.drawn == nullptr ? "geometry" : "shadow-map",
+            settings.sky ? describeSky(*settings.sky) : "none",
+            settings.sky ? describeAir(settings.sky->air) : "none"};
 }
 
 FloatImage referenceImage(const ReferencePicture& picture, const ReferenceSettings& settings,
@@ -112,6 +140,10 @@ FloatImage referenceImage(const ReferencePicture& picture, const ReferenceSettin
     }
     image.facts[kLargestError] = picture.largestError;
     image.facts[kRmsError] = picture.rmsError;
+    if (settings.sky) {
+        image.facts[kLargestSkyError] = picture.skyError.largest;
+        image.facts[kRmsSkyError] = picture.skyError.rms;
+    }
     image.channels = {"R", "G", "B", "beams.R", "beams.G", "beams.B"};
     if (layers.transmittance) {
         image.channels.insert(image.channels.end(),

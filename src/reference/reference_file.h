@@ -18,7 +18,9 @@ struct ReferenceView {
     std::string camera;
     std::string haze;
     std::string ambient;
-    std::string visibility;  ///< "geometry" or "shadow-map"
+    std::string visibility;    ///< "geometry" or "shadow-map"
+    std::string sky = "none";  ///< as describeSky()
+    std::string skyAir = "none";
 };
 
 /// What a reference says of itself.
@@ -26,12 +28,18 @@ struct ReferenceFacts {
     ReferenceView view;
     double largestError = 0.0;  ///< as ReferencePicture has them
     double rmsError = 0.0;
+    SkyError skyError;
 };
 
 struct ReferenceFile {
     FloatImage image;
     ReferenceFacts facts;
 };
+
+/// Under this name a picture says which sky is over it; without one, a reference says "none".
+inline constexpr const char* kSkyFact = "sky";
+/// Its sun, altitude and orders, with all digits.
+std::string describeSky(const SkyOverScene& sky);
 
 /// What is known before anything is drawn. `scene` is the file's name without its folders.
 ReferenceView describeReference(const std::string& scene, const ReferenceSettings& settings);

@@ -87,8 +87,13 @@ class ReferenceFrame {
             std::make_unique<BeamIntegrator>(scene.spotLights, scene.images, settings.haze,
                                              makeVisibility(), settings.relativeError);
         if (traced_) {
-            light_ = std::make_unique<SurfaceLight>(scene, integrator_->lamps(), traced_->caster,
-                                                    settings.haze, settings.ambientLux);
+            if (settings.sky) {
+                sight_ = std::make_unique<SkySight>(*settings.sky);
+                daylight_ = std::make_unique<SkyDaylight>(*sight_);
+            }
+            light_ =
+                std::make_unique<SurfaceLight>(scene, integrator_->lamps(), traced_->caster,
+                                               settings.haze, settings.ambientLux, daylight_.get());
         }
         const std::size_t pixels = std::size_t(settings.width) * std::size_t(settings.height);
         picture_.width = settings.width;
@@ -121,6 +126,9 @@ class ReferenceFrame {
             picture_.largestError = std::max(picture_.largestError, error);
         }
         picture_.rmsError = std::sqrt(squares / double(errors_.size()));
+        if (sight_) {
+            picture_.skyError = sight_->errorOf(skyRays());
+        }
         return std::move(picture_);
     }
 
@@ -139,16 +147,45 @@ class ReferenceFrame {
         traced_->caster.look(ray.origin, ray.direction, first, farthest, sight);
         glm::dvec3 color(0.0);
         if (sight.opaque) {
-            color = surfaceLight(*sight.opaque, ray).light;
+            color = throughAir(surfaceLight(*sight.opaque, ray).light, ray, *sight.opaque);
+        } else if (sight_) {
+            color = sight_->behind(ray.origin, ray.direction, pixelRadians());
         }
         for (const SurfaceHit& hit : sight.blended) {
-            const SeenSurface over = surfaceLight(hit, ray);
+            SeenSurface over = surfaceLight(hit, ray);
+            over.light = throughAir(over.light, ray, hit);
             color = glm::mix(color, over.light, over.alpha);
         }
         picture_.surfaces[pixel] = color;
         picture_.depths[pixel] =
             sight.opaque ? sight.opaque->distance / ray.metresPerDepth : kNothing;
         return sight.opaque ? sight.opaque->distance : farthest;
+    }
+
+    double pixelRadians() const {
+        return 2.0 * viewHalfExtent(settings_.camera, settings_.width, settings_.height).y /
+               settings_.height;
+    }
+
+    glm::dvec3 throughAir(const glm::dvec3& light, const PixelRay& ray,
+                          const SurfaceHit& hit) const {
+        return sight_ ? sight_->throughAir(light, ray.origin, ray.direction, hit.distance) : light;
+    }
+
+    /// Those of some pixels.
+    std::vector<SkyRay> skyRays() const {
+        constexpr int kAcross = 8;
+        std::vector<SkyRay> rays;
+        for (int i = 0; i < kAcross * kAcross; ++i) {
+            const int x = (2 * (i % kAcross) + 1) * settings_.width / (2 * kAcross);
+            const int y = (2 * (i / kAcross) + 1) * settings_.height / (2 * kAcross);
+            const PixelRay pixel = rays_.at(x, y);
+            rays.push_back(sight_->ray(pixel.origin, pixel.direction));
+            rays.back().distanceMetres =
+                picture_.depths[std::size_t(y) * std::size_t(settings_.width) + std::size_t(x)] *
+                pixel.metresPerDepth;
+        }
+        return rays;
     }
 
     struct SeenSurface {
@@ -192,6 +229,8 @@ class ReferenceFrame {
     double extinction_;
     std::unique_ptr<TracedScene> traced_;
     std::unique_ptr<BeamIntegrator> integrator_;
+    std::unique_ptr<SkySight> sight_;
+    std::unique_ptr<SkyDaylight> daylight_;
     std::unique_ptr<SurfaceLight> light_;
     ReferencePicture picture_;
     std::vector<double> errors_;  ///< relative, by pixel
@@ -214,6 +253,8 @@ void checkDrawn(const Scene& scene, const ReferenceSettings& settings) {
 ReferencePicture drawReference(const Scene& scene, const ReferenceSettings& settings,
                                Progress* progress) {
     CHECK(settings.width > 0 && settings.height > 0);
+    CHECK(!settings.sky ||
+          (settings.drawn == nullptr && settings.haze.extinctionPerMetre() == 0.0));
     checkDrawn(scene, settings);
     ReferenceFrame frame(scene, settings);
     parallelFor(std::size_t(settings.height), [&](std::size_t y) {

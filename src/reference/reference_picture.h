@@ -13,6 +13,7 @@
 #include <glm/glm.hpp>
 
 #include "base/progress.h"
+#include "reference/sky_sight.h"
 #include "scene/camera.h"
 #include "scene/haze.h"
 #include "scene/scene.h"
@@ -47,6 +48,9 @@ struct ReferenceSettings {
     /// what is then different from the frame is its integration of beams alone. Must be of this
     /// size.
     const DrawnFrame* drawn = nullptr;
+    /// The sky behind and before everything, and daylight; none: black. Needs clear air (no haze)
+    /// and the scene's own triangles.
+    std::optional<SkyOverScene> sky;
 };
 
 struct ReferencePicture {
@@ -60,6 +64,7 @@ struct ReferencePicture {
     /// largest, and the root of the mean square.
     double largestError = 0.0;
     double rmsError = 0.0;
+    SkyError skyError;  ///< estimated, of some pixels all over the picture; 0 without a sky
 
     glm::dvec3 total(std::size_t pixel) const { return surfaces[pixel] + beams[pixel]; }
 };

@@ -80,12 +80,11 @@ glm::dvec3 reflected(const ShadedPoint& point, const glm::dvec3& towardsLamp) {
                        glm::clamp(glm::dot(point.towardsEye, halfway), 0.0, 1.0));
 }
 
-/// Even light from all around, a little less from below.
-glm::dvec3 ambientLight(const ShadedPoint& point, double lux) {
+/// Of light from all around.
+glm::dvec3 ambientLight(const ShadedPoint& point, const glm::dvec3& lux) {
     const glm::dvec3 specular = glm::mix(glm::dvec3(0.04), point.baseColor, point.metallic);
     const glm::dvec3 albedo = point.baseColor * (1.0 - point.metallic) + specular;
-    const double fromAbove = 0.75 + 0.25 * point.normal.y;
-    return albedo * (shader::kInversePi * lux * fromAbove * point.occlusion);
+    return albedo * lux * (shader::kInversePi * point.occlusion);
 }
 
 }  // namespace
@@ -138,25 +137,36 @@ ShadedPoint shadedPoint(const PlacedSurface& surface, const MaterialTextures& te
 }
 
 SurfaceLight::SurfaceLight(const Scene& scene, std::span<const BeamLamp> spots,
-                           const RayCaster& caster, const Haze& haze, double ambientLux)
+                           const RayCaster& caster, const Haze& haze, double ambientLux,
+                           const SkyDaylight* day)
     : scene_(scene),
       spots_(spots),
       caster_(caster),
       extinction_(haze.extinctionPerMetre()),
-      ambientLux_(ambientLux) {}
+      ambientLux_(ambientLux),
+      daylight_(day) {}
 
 glm::dvec3 SurfaceLight::radiance(const ShadedPoint& point) const {
     if (point.unlit) {
         return point.baseColor;
     }
-    glm::dvec3 sum = point.emission + ambientLight(point, ambientLux_);
+    // Even light, a little less from below.
+    const double fromAbove = 0.75 + 0.25 * point.normal.y;
+    glm::dvec3 sum = point.emission + ambientLight(point, glm::dvec3(ambientLux_ * fromAbove));
+    if (daylight_ != nullptr) {
+        sum += fromDay(point);
+    }
     for (const BeamLamp& lamp : spots_) {
         sum += fromSpot(lamp, point);
     }
     for (const PointLight& lamp : scene_.pointLights) {
         sum += fromPoint(lamp, point);
     }
-    for (const DirectionalLight& lamp : scene_.directionalLights) {
+    for (std::size_t i = 0; i < scene_.directionalLights.size(); ++i) {
+        const DirectionalLight& lamp = scene_.directionalLights[i];
+        if (daylight_ != nullptr && int(i) == daylight_->sunLamp()) {
+            continue;
+        }
         sum += reflected(point, -lamp.direction) * glm::dvec3(lamp.color) * lamp.illuminanceLux;
     }
     return sum;
@@ -199,6 +209,21 @@ bool SurfaceLight::isShadowed(const BeamLamp& lamp, const ShadedPoint& point, do
     const double off = 1e-9 * (glm::length(way) + glm::length(point.position));
     const glm::dvec3 from = point.position + (side * off) * point.geometric;
     return caster_.isBlocked(from, from + (1.0 - shader::kLensMetres / depth) * way);
+}
+
+glm::dvec3 SurfaceLight::fromDay(const ShadedPoint& point) const {
+    constexpr double kBeyondAllScenes = 1e6;  // metres
+    glm::dvec3 light = ambientLight(point, daylight_->irradiance(point.normal));
+    const glm::dvec3 sun = reflected(point, daylight_->towardsSun()) * daylight_->sunLux();
+    if (sun != glm::dvec3(0.0)) {
+        const double side = glm::dot(daylight_->towardsSun(), point.geometric) < 0.0 ? -1.0 : 1.0;
+        const double off = 1e-9 * (kBeyondAllScenes + glm::length(point.position));
+        const glm::dvec3 from = point.position + (side * off) * point.geometric;
+        if (!caster_.isBlocked(from, from + kBeyondAllScenes * daylight_->towardsSun())) {
+            light += sun;
+        }
+    }
+    return light;
 }
 
 glm::dvec3 SurfaceLight::fromPoint(const PointLight& lamp, const ShadedPoint& point) const {

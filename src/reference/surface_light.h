@@ -12,6 +12,7 @@
 #include "reference/cast_rays.h"
 #include "reference/material_textures.h"
 #include "reference/placed_surface.h"
+#include "reference/sky_daylight.h"
 #include "scene/haze.h"
 #include "scene/scene.h"
 
@@ -43,15 +44,17 @@ ShadedPoint shadedPoint(const PlacedSurface& surface, const MaterialTextures& te
 
 class SurfaceLight {
   public:
-    /// Keeps references to all but the haze.
+    /// Keeps references to all but the haze. `day`: sun and sky, whose sun takes its lamp's
+    /// place and casts hard shadows; null where there is no sky.
     SurfaceLight(const Scene& scene, std::span<const BeamLamp> spots, const RayCaster& caster,
-                 const Haze& haze, double ambientLux);
+                 const Haze& haze, double ambientLux, const SkyDaylight* day = nullptr);
 
     /// cd/m2 at the surface, before the haze between it and the eye.
     glm::dvec3 radiance(const ShadedPoint& point) const;
 
   private:
     glm::dvec3 fromSpot(const BeamLamp& lamp, const ShadedPoint& point) const;
+    glm::dvec3 fromDay(const ShadedPoint& point) const;
     glm::dvec3 fromPoint(const PointLight& lamp, const ShadedPoint& point) const;
     bool isShadowed(const BeamLamp& lamp, const ShadedPoint& point, double depth) const;
 
@@ -60,6 +63,7 @@ class SurfaceLight {
     const RayCaster& caster_;
     double extinction_;
     double ambientLux_;
+    const SkyDaylight* daylight_;
 };
 
 }  // namespace ribalta

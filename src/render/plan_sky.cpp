@@ -29,19 +29,7 @@ Bounds hazeBox(const Scene& scene, const Bounds& all) {
 }  // namespace
 
 SkyEye skyEye(const SkyDrawing& sky, const glm::dvec3& position) {
-    // Relative to the ground's point below the origin; no two large numbers are subtracted.
-    const double radius = sky.air.groundRadiusMetres;
-    const glm::dvec3 place = position + glm::dvec3(0.0, sky.altitudeMetres, 0.0);
-    const double square = glm::dot(place, place) + 2.0 * radius * place.y;
-    const glm::dvec3 fromCentre = place + glm::dvec3(0.0, radius, 0.0);
-    const double height = square / (std::sqrt(std::max(radius * radius + square, 0.0)) + radius);
-    SkyEye eye;
-    eye.heightMetres = std::max(height, 0.0);
-    eye.belowMetres = std::max(-height, 0.0);
-    const double size = glm::length(fromCentre);
-    eye.zenith = size > 0.0 ? fromCentre / size : eye.zenith;
-    eye.muS = std::clamp(glm::dot(eye.zenith, sky.towardsSun), -1.0, 1.0);
-    return eye;
+    return skyEye(sky.air, sky.altitudeMetres, sky.towardsSun, position);
 }
 
 glm::dvec3 transmittanceBetween(const SkyDrawing& sky, const glm::dvec3& from,

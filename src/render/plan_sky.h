@@ -8,20 +8,9 @@
 #include "render/frame_settings.h"
 #include "scene/camera.h"
 #include "scene/scene.h"
+#include "sky/sky_eye.h"
 
 namespace ribalta {
-
-/// Where the eye is in the air. The scene's origin lies `altitude` above the ground, its +Y there
-/// being the zenith; the planet curves away under it.
-struct SkyEye {
-    double heightMetres = 0.0;  ///< above the ground, not below it
-    glm::dvec3 zenith{0.0, 1.0, 0.0};
-    double muS = 1.0;  ///< cosine between sun and zenith
-    double belowMetres =
-        0.0;  ///< how far below the ground the eye stands; it looks from the ground
-
-    bool operator==(const SkyEye&) const = default;
-};
 
 SkyEye skyEye(const SkyDrawing& sky, const glm::dvec3& position);
 

@@ -4,7 +4,7 @@ import json
 import re
 import unittest
 
-from command import JOB_FAILED, USAGE, CommandTest, add_node, make_floor
+from command import BAD_INPUT, JOB_FAILED, USAGE, CommandTest, add_node, make_floor
 
 # No driver is named by this, so that no OpenGL is to be had.
 NO_DRIVERS = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
@@ -56,6 +56,47 @@ class Pictures(CommandTest):
     def test_clear_air_has_no_beams(self):
         output = self.expect_done("reference", "stage.gltf", *SIZE, "-o", "a.exr", "--haze=0")
         self.assertIn("largest 0,", output.stdout)
+
+
+class Skies(CommandTest):
+    # Across the horizon; the floor is lit by sun and sky, with nothing to cast a shadow.
+    CLEAR = [*SIZE, "--haze=0", "--ambient=0"]
+
+    def setUp(self):
+        super().setUp()
+        self.write_scene("floor.gltf", make_floor())
+
+    def draw(self, command, output, *options):
+        return self.expect_done(command, "floor.gltf", *self.CLEAR, "-o", output, "--sky=auto",
+                                *options)
+
+    def test_frames_agree_with_it(self):
+        for options, bound in [(["--sun=30,40", "--sky-orders=1"], 0.004),
+                               (["--sun=3,200", "--sky-orders=2", "--altitude=2000"], 0.01),
+                               (["--sun=50,0"], 0.006)]:
+            told = self.draw("reference", "exact.exr", *options).stdout
+            self.assertRegex(told, r"error of the sky, relative: largest \S+, RMS \S+")
+            self.draw("render", "drawn.exr", *options)
+            self.expect_done("compare", "drawn.exr", "exact.exr", f"--max-relative={bound}")
+
+    def test_another_sky_is_refused(self):
+        self.draw("reference", "exact.exr", "--sun=30,40", "--sky-orders=1")
+        for other in [["--sun=31,40", "--sky-orders=1"], ["--sun=30,40", "--sky-orders=2"],
+                      ["--sun=30,40", "--sky-orders=1", "--altitude=5"]]:
+            self.draw("render", "drawn.exr", *other)
+            self.expect_error(BAD_INPUT, ["drawn.exr", "another sky", "--sun"], "compare",
+                              "drawn.exr", "exact.exr")
+
+    def test_what_does_not_go_with_a_sky(self):
+        for words, options in [(["--haze", "--haze 0"], ["--haze=0.01"]),
+                               (["--visibility", "geometry"],
+                                ["--haze=0", "--visibility=shadow-map"]),
+                               (["'bruneton'", "none, auto"], ["--sky=bruneton"])]:
+            self.expect_error(USAGE, words, "reference", "floor.gltf", "-o", "a.exr",
+                              *(["--sky=auto"] if "--sky=bruneton" not in options else []),
+                              *options)
+        self.expect_error(USAGE, ["--sun", "--sky auto"], "reference", "floor.gltf", "-o", "a.exr",
+                          "--sun=3,4")
 
 
 class WrongUsage(CommandTest):

@@ -24,6 +24,7 @@
 #include "options.h"
 #include "output_checks.h"
 #include "parse_number.h"
+#include "reference/reference_file.h"
 
 namespace ribalta {
 namespace {
@@ -54,13 +55,19 @@ struct Comparison {
 struct ReadPicture {
     RgbPicture picture;
     bool isLinear = false;  ///< cd/m2; otherwise display values in 0..1
+    std::string sky;        ///< as the picture says; empty: it does not
 };
 
 ReadPicture read(const std::string& path, const std::string& layer) {
     const ImageFormat format = imageFormat(readFile(path));
     ReadPicture result;
     result.isLinear = format == ImageFormat::kOpenExr || format == ImageFormat::kHdr;
-    result.picture = pickLayer(readFloatImage(path), layer, {path, ""});
+    const FloatImage image = readFloatImage(path);
+    if (const auto fact = image.facts.find(kSkyFact); fact != image.facts.end()) {
+        const auto* text = std::get_if<std::string>(&fact->second);
+        result.sky = text != nullptr ? *text : "";
+    }
+    result.picture = pickLayer(image, layer, {path, ""});
     return result;
 }
 
@@ -78,6 +85,11 @@ Comparison compareFiles(const CompareOptions& options) {
     if (!b.isLinear && given) {
         throw Error(ErrorKind::kUsage, {"--exposure", ""},
                     options.b + " holds display values, which have been exposed; leave it out");
+    }
+    if (!a.sky.empty() && !b.sky.empty() && a.sky != b.sky) {
+        throw Error(ErrorKind::kBadInput, {options.a, ""},
+                    "is under another sky (" + a.sky + ") than " + options.b + " (" + b.sky +
+                        "); draw one of them with the other's --sun, --altitude and --sky-orders");
     }
     refuseOtherSize(a.picture, b.picture, {options.a, ""});
     refuseNonFinite(a.picture, {options.a, ""});

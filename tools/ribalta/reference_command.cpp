@@ -24,6 +24,7 @@
 #include "reference/reference_picture.h"
 #include "render/renderer.h"
 #include "render_outputs.h"
+#include "sky_options.h"
 
 namespace ribalta {
 namespace {
@@ -36,6 +37,7 @@ struct ReferenceOptions {
     std::optional<std::string> camera;
     std::string size = "1280x720";
     HazeOptions haze;
+    SkyOptions sky;
     double ambient = 1.0;
     std::string visibility = "geometry";
     double error = 1e-5;
@@ -90,6 +92,27 @@ void tellOfResult(const ReferencePicture& picture, double seconds, double asked)
     }
 }
 
+void tellOfSky(const SkyError& error) {
+    std::printf("estimated error of the sky, relative: largest %.2g, RMS %.2g\n", error.largest,
+                error.rms);
+}
+
+// What of the options a sky does not go with.
+void checkSky(const ReferenceOptions& options, const Haze& haze) {
+    options.sky.check();
+    if (options.sky.sky == "none") {
+        return;
+    }
+    if (haze.extinctionPerMetre() > 0.0) {
+        throw CLI::ValidationError("--haze", "a reference under a sky has no haze; give --haze 0");
+    }
+    if (options.visibility != "geometry") {
+        throw CLI::ValidationError("--visibility",
+                                   "a reference under a sky is of the scene's own triangles; give "
+                                   "--visibility geometry");
+    }
+}
+
 void drawReferenceFile(const ReferenceOptions& options) {
     setVerbose(options.verbose);
     ReferenceSettings settings;
@@ -99,12 +122,17 @@ void drawReferenceFile(const ReferenceOptions& options) {
     settings.haze = options.haze.parsed();
     settings.ambientLux = options.ambient;
     settings.relativeError = options.error;
+    checkSky(options, settings.haze);
     const ReferenceLayers layers = layersFrom(options);
     checkOutput(options.output);
 
     const LoadedScene loaded = loadScene(options.scene);
     refuseReplacing(options.output, loaded.files);
     settings.camera = chooseCamera(loaded.scene, options.camera, double(size.width) / size.height);
+
+    if (const std::optional<SkyDrawing> sky = options.sky.parsed(loaded.scene)) {
+        settings.sky = skyOf(*sky);
+    }
 
     const Clock::time_point start = Clock::now();
     std::optional<DrawnFrame> drawn;
@@ -126,6 +154,9 @@ void drawReferenceFile(const ReferenceOptions& options) {
     progress.reset();
     tellOfResult(picture, std::chrono::duration<double>(Clock::now() - start).count(),
                  options.error);
+    if (settings.sky) {
+        tellOfSky(picture.skyError);
+    }
 }
 
 std::string expectError(const std::string& text) {
@@ -142,6 +173,7 @@ void addOptions(CLI::App& command, ReferenceOptions& options) {
     addCameraOption(command, options.camera);
     addSizeOption(command, options.size);
     options.haze.addTo(command);
+    options.sky.addReferenceTo(command);
     addAmbientOption(command, options.ambient);
     command
         .add_option("--visibility", options.visibility,

@@ -10,6 +10,7 @@
 #include "base/temporary_file.h"
 #include "image/write_image.h"
 #include "output_checks.h"
+#include "reference/reference_file.h"
 
 namespace ribalta {
 namespace {
@@ -91,6 +92,17 @@ FrameLayers parseLayers(const std::string& text) {
     return layers;
 }
 
+SkyOverScene skyOf(const SkyDrawing& drawing) {
+    SkyOverScene sky{drawing.air, drawing.orders, drawing.towardsSun, drawing.altitudeMetres,
+                     drawing.sunLamp};
+    if (const auto* tables = std::get_if<PrecomputedSkySettings>(&drawing.model)) {
+        sky.orders = {tables->orders, false};
+    } else if (std::holds_alternative<ChapmanSky>(drawing.model)) {
+        sky.orders = {1, false};
+    }
+    return sky;
+}
+
 void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan,
                   const FrameTargets& targets) {
     std::optional<FloatImage> frame;
@@ -101,6 +113,9 @@ void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan,
         }
         if (!frame) {
             frame = readFrame(plan, targets, outputs.layers);
+            if (plan.sky) {
+                frame->facts[kSkyFact] = describeSky(skyOf(plan.sky->drawing));
+            }
             warnOfNonFinite(*frame, file);
         }
         writeExr(file, *frame);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/sky_sight.h"
 #include "render/frame_settings.h"
 #include "render/read_frame.h"
 #include "render/renderer.h"
@@ -28,7 +29,10 @@ void checkOutputs(const RenderOutputs& outputs);
 /// "beams,depth" into layers; throws CLI::ValidationError that lists them.
 FrameLayers parseLayers(const std::string& text);
 
-/// Writes the renderer's last frame. Throws Error(kJobFailed).
+/// The sky that a drawing's model stands for, with the orders that the model has.
+SkyOverScene skyOf(const SkyDrawing& drawing);
+
+/// Writes the renderer's last frame; an .exr says which sky is over it. Throws Error(kJobFailed).
 void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan, const FrameTargets& targets);
 
 }  // namespace ribalta

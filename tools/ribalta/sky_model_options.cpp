@@ -160,13 +160,14 @@ SkyModel SkyModelOptions::parsed(const std::string& modelOption,
     }};
     for (const Given& option : options) {
         if (option.given && !option.known) {
-            refuse(option.option, "means nothing to " + modelOption + " " + model + "; leave it out");
+            refuse(option.option,
+                   "means nothing to " + modelOption + " " + model + "; leave it out");
         }
     }
     const bool once = model == "single" || chapman;
     if (once && orders.value_or(1) != 1) {
-        refuse(ordersOption, modelOption + " " + model +
-                                 " knows light scattered once alone; leave it out");
+        refuse(ordersOption,
+               modelOption + " " + model + " knows light scattered once alone; leave it out");
     }
     if (chapman) {
         ChapmanSky sky;

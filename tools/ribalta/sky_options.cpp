@@ -72,6 +72,28 @@ void SkyOptions::addTo(CLI::App& command) {
             },
             "")
         ->capture_default_str();
+    addPlaceTo(command);
+    models.addDetailsTo(command);
+}
+
+void SkyOptions::addReferenceTo(CLI::App& command) {
+    command
+        .add_option("--sky", sky,
+                    "none, or auto: sky, sun, the air in front of everything and daylight, "
+                    "integrated; needs clear air, --haze 0")
+        ->type_name("none|auto")
+        ->check(
+            [](const std::string& text) {
+                return text == "none" || text == "auto"
+                           ? ""
+                           : "a reference has no sky '" + text + "'; it has: none, auto";
+            },
+            "")
+        ->capture_default_str();
+    addPlaceTo(command);
+}
+
+void SkyOptions::addPlaceTo(CLI::App& command) {
     command
         .add_option(
             "--sun", sun,
@@ -92,7 +114,6 @@ void SkyOptions::addTo(CLI::App& command) {
         ->type_name("COUNT")
         ->check(expectOrders, "");
     command.add_flag("--rayleigh-only", rayleighOnly, "with a sky: air without haze (Mie)");
-    models.addDetailsTo(command);
 }
 
 void SkyOptions::check() const {

@@ -27,6 +27,9 @@ struct SkyOptions {
     bool rayleighOnly = false;
 
     void addTo(CLI::App& command);
+    /// Of a command that has no sky but the renderer's own model, as a reference, and none of the
+    /// options of other models.
+    void addReferenceTo(CLI::App& command);
 
     /// What they mean for a scene; none: no sky. Says on stderr which sun is taken where it was not
     /// said. Throws CLI::ValidationError that says what was expected.
@@ -35,6 +38,7 @@ struct SkyOptions {
     void check() const;
 
   private:
+    void addPlaceTo(CLI::App& command);
     DrawnSky model() const;
 };
 
