@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "base/content_hash.h"
 #include "base/error.h"
@@ -36,30 +37,52 @@ std::string keyOf(const ReferenceView& view, const std::string& sceneHash,
     return hash.text();
 }
 
-}  // namespace
+/// A reference as a file has it, kept or drawn now.
+struct Obtained {
+    FloatImage image;
+    ReferenceFacts facts;
+    std::filesystem::path file;
+};
 
-ReferenceBeams obtainReference(const std::filesystem::path& folder, const Scene& scene,
-                               const std::string& sceneName, const std::string& sceneHash,
-                               const ReferenceSettings& settings) {
+Obtained obtain(const std::filesystem::path& folder, const Scene& scene,
+                const std::string& sceneName, const std::string& sceneHash,
+                const ReferenceSettings& settings) {
     const ReferenceView view = describeReference(sceneName, settings);
     const std::filesystem::path file = folder / (keyOf(view, sceneHash, settings) + ".exr");
-    const Place place{file.string(), ""};
     if (std::filesystem::exists(file)) {
         logVerbose("reference: " + file.string() + " is kept from before");
-        const ReferenceFile kept = readReference(file, view);
-        return {view.visibility, pickLayer(kept.image, "beams", place), kept.facts.rmsError};
+        ReferenceFile kept = readReference(file, view);
+        return {std::move(kept.image), kept.facts, file};
     }
     std::optional<Progress> progress(std::in_place, "reference by " + view.visibility,
                                      std::size_t(settings.height));
     const ReferencePicture picture = drawReference(scene, settings, &*progress);
     progress.reset();
-    const FloatImage image = referenceImage(picture, settings, view, {});
-    ReferenceBeams reference{view.visibility, pickLayer(image, "beams", place), picture.rmsError};
-    refuseNonFinite(reference.beams, place);
+    FloatImage image = referenceImage(picture, settings, view, {});
+    refuseNonFinite(pickLayer(image, "beams", {file.string(), ""}), {file.string(), ""});
+    refuseNonFinite(pickLayer(image, "", {file.string(), ""}), {file.string(), ""});
     writeExr(file, image);
-    logVerbose("reference: " + file.string() + ", relative error " +
-               std::to_string(reference.relativeRms));
-    return reference;
+    return {
+        std::move(image), {view, picture.largestError, picture.rmsError, picture.skyError}, file};
+}
+
+}  // namespace
+
+ReferenceBeams obtainReference(const std::filesystem::path& folder, const Scene& scene,
+                               const std::string& sceneName, const std::string& sceneHash,
+                               const ReferenceSettings& settings) {
+    const Obtained found = obtain(folder, scene, sceneName, sceneHash, settings);
+    logVerbose("reference: " + found.file.string() + ", relative error " +
+               std::to_string(found.facts.rmsError));
+    return {found.facts.view.visibility, pickLayer(found.image, "beams", {found.file.string(), ""}),
+            found.facts.rmsError};
+}
+
+KeptReference obtainReferencePicture(const std::filesystem::path& folder, const Scene& scene,
+                                     const std::string& sceneName, const std::string& sceneHash,
+                                     const ReferenceSettings& settings) {
+    const Obtained found = obtain(folder, scene, sceneName, sceneHash, settings);
+    return {pickLayer(found.image, "", {found.file.string(), ""}), found.facts, found.file};
 }
 
 }  // namespace ribalta

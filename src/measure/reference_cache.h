@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "measure/sweep_view.h"
+#include "reference/reference_file.h"
 #include "reference/reference_picture.h"
 
 namespace ribalta {
@@ -17,6 +18,16 @@ namespace ribalta {
 ReferenceBeams obtainReference(const std::filesystem::path& folder, const Scene& scene,
                                const std::string& sceneName, const std::string& sceneHash,
                                const ReferenceSettings& settings);
+
+/// The same, the whole picture: R, G, B.
+struct KeptReference {
+    RgbPicture picture;  ///< cd/m2
+    ReferenceFacts facts;
+    std::filesystem::path file;
+};
+KeptReference obtainReferencePicture(const std::filesystem::path& folder, const Scene& scene,
+                                     const std::string& sceneName, const std::string& sceneHash,
+                                     const ReferenceSettings& settings);
 
 /// Changes whenever the code changes that references are drawn by.
 const char* referenceRevision();

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "measure/csv_field.h"
+
 namespace ribalta {
 namespace {
 
@@ -117,26 +119,6 @@ SweepRecord::Status statusNamed(const std::string& wanted) {
         }
     }
     return SweepRecord::Status::kFailed;
-}
-
-// A field of a CSV line: quoted where RFC 4180 wants it.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string result = "\"";
-    for (const char c : text) {
-        result += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return result + "\"";
-}
-
-// Numbers as the JSON writes them, so that the two files agree; null is empty.
-std::string field(const Json& value) {
-    if (value.is_null()) {
-        return "";
-    }
-    return value.is_string() ? quoted(value.get<std::string>()) : quoted(value.dump());
 }
 
 // Columns that every record has, by where its JSON has them.
@@ -335,13 +317,13 @@ std::string toCsv(const std::vector<SweepRecord>& records) {
     for (const std::string& pass : passes) {
         for (const char* what : {"_cpu_ms", "_cpu_ms_iqr", "_gpu_ms", "_gpu_ms_iqr"}) {
             csv += ',';
-            csv += quoted(pass + what);
+            csv += csvText(pass + what);
         }
     }
     for (const std::string& reference : references) {
         for (const char* column : kErrorColumns) {
             csv += ',';
-            csv += quoted(std::string(column) + "@" + reference);
+            csv += csvText(std::string(column) + "@" + reference);
         }
     }
     csv += "\n";
@@ -350,21 +332,21 @@ std::string toCsv(const std::vector<SweepRecord>& records) {
         std::string line;
         for (const auto& [column, where] : kColumns) {
             line += line.empty() ? "" : ",";
-            line += field(json.at(Json::json_pointer(where)));
+            line += csvField(json.at(Json::json_pointer(where)));
         }
         for (const std::string& pass : passes) {
             const Json times = elementWith(json.at("passes"), "name", pass);
             for (const char* where :
                  {"/cpu_ms/median", "/cpu_ms/iqr", "/gpu_ms/median", "/gpu_ms/iqr"}) {
                 line += ',';
-                line += times.is_null() ? "" : field(times.at(Json::json_pointer(where)));
+                line += times.is_null() ? "" : csvField(times.at(Json::json_pointer(where)));
             }
         }
         for (const std::string& reference : references) {
             const Json error = elementWith(json.at("errors"), "against", reference);
             for (const char* column : kErrorColumns) {
                 line += ',';
-                line += error.is_null() ? "" : field(error.at(column));
+                line += error.is_null() ? "" : csvField(error.at(column));
             }
         }
         csv += line + "\n";

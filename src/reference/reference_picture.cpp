@@ -88,7 +88,7 @@ class ReferenceFrame {
                                              makeVisibility(), settings.relativeError);
         if (traced_) {
             if (settings.sky) {
-                sight_ = std::make_unique<SkySight>(*settings.sky);
+                sight_ = std::make_unique<SkySight>(*settings.sky, settings.skyTables);
                 daylight_ = std::make_unique<SkyDaylight>(*sight_);
             }
             light_ =

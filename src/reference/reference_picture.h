@@ -51,6 +51,8 @@ struct ReferenceSettings {
     /// The sky behind and before everything, and daylight; none: black. Needs clear air (no haze)
     /// and the scene's own triangles.
     std::optional<SkyOverScene> sky;
+    /// Where tables of skies are kept that several pictures share; null: they are this one's.
+    SkyTableStore* skyTables = nullptr;
 };
 
 struct ReferencePicture {

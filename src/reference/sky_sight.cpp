@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/check.h"
@@ -27,44 +28,71 @@ const glm::dvec3 kLimb(0.42, 0.52, 0.68);
 
 }  // namespace
 
-class SkySight::Impl {
+class SkyLightTables {
   public:
-    explicit Impl(const SkyOverScene& sky)
-        : sky_(sky),
-          orders_(sky.orders.closed && sky.orders.count >= 4 ? kOrdersOfAll : sky.orders.count),
-          lengths_(checked(sky.air)),
-          first_(gaussRule(kNodesOfFirst)),
-          later_(gaussRule(kNodesOfLater)) {
-        CHECK(orders_ >= 1 && orders_ <= kMostTabulatedOrders);
-        if (orders_ > 1) {
-            sources_.emplace(lengths_, orders_, true, coarseSkyTables());
-            sum_ = sources_->sum(false);
+    /// Sources of all orders but the first, and all of them in one.
+    struct Later {
+        SkySources sources;
+        SkySources::Grid sum;
+
+        Later(const OpticalLengthTable& lengths, int orders, const SkyTableSizes& sizes)
+            : sources(lengths, orders, true, sizes), sum(sources.sum(false)) {}
+    };
+
+    SkyLightTables(const Atmosphere& air, const SkyOrders& skyOrders)
+        : orders(skyOrders.closed && skyOrders.count >= 4 ? kOrdersOfAll : skyOrders.count),
+          lengths(checked(air)) {
+        CHECK(orders >= 1 && orders <= kMostTabulatedOrders);
+        if (orders > 1) {
+            later.emplace(lengths, orders, coarseSkyTables());
+            coarser.emplace(lengths, orders, pictureSkyTables());
         }
     }
+    SkyLightTables(const SkyLightTables&) = delete;  // the sources refer to the lengths
+    SkyLightTables& operator=(const SkyLightTables&) = delete;
+
+    const int orders;
+    const OpticalLengthTable lengths;
+    std::optional<Later> later;
+    std::optional<Later> coarser;  ///< tells how far the others may be off
+};
+
+std::shared_ptr<const SkyLightTables> SkyTableStore::tablesOf(const Atmosphere& air,
+                                                              const SkyOrders& orders) {
+    for (const Kept& kept : kept_) {
+        if (kept.air == air && kept.orders == orders) {
+            return kept.tables;
+        }
+    }
+    kept_.push_back({air, orders, std::make_shared<const SkyLightTables>(air, orders)});
+    return kept_.back().tables;
+}
+
+class SkySight::Impl {
+  public:
+    Impl(const SkyOverScene& sky, std::shared_ptr<const SkyLightTables> tables)
+        : sky_(sky),
+          tables_(std::move(tables)),
+          lengths_(tables_->lengths),
+          first_(gaussRule(kNodesOfFirst)),
+          later_(gaussRule(kNodesOfLater)) {}
 
     const SkyOverScene& sky() const { return sky_; }
-    int orders() const { return orders_; }
-    const OpticalLengthTable& lengths() const { return lengths_; }
+    const SkyLightTables& tables() const { return *tables_; }
 
     SkyLight along(const AirPath& path) const;
     glm::dvec3 single(const AirPath& path) const;
-    glm::dvec3 later(const SkySources& sources, const SkySources::Grid& sum,
-                     const AirPath& path) const;
-    glm::dvec3 later(const AirPath& path) const {
-        return sources_ ? later(*sources_, sum_, path) : glm::dvec3(0.0);
-    }
+    glm::dvec3 later(const std::optional<SkyLightTables::Later>& tables, const AirPath& path) const;
     glm::dvec3 sunDisc(const glm::dvec3& direction, double pixelRadians) const;
 
   private:
     glm::dvec3 groundIrradiance(double muS) const;
 
     SkyOverScene sky_;
-    int orders_;
-    OpticalLengthTable lengths_;
+    std::shared_ptr<const SkyLightTables> tables_;
+    const OpticalLengthTable& lengths_;
     GaussRule first_;
     GaussRule later_;
-    std::optional<SkySources> sources_;
-    SkySources::Grid sum_;
 };
 
 glm::dvec3 SkySight::Impl::single(const AirPath& path) const {
@@ -88,20 +116,23 @@ glm::dvec3 SkySight::Impl::single(const AirPath& path) const {
            shader::phaseCornetteShanks(path.nu, air.mieG) * mie;
 }
 
-glm::dvec3 SkySight::Impl::later(const SkySources& sources, const SkySources::Grid& sum,
+glm::dvec3 SkySight::Impl::later(const std::optional<SkyLightTables::Later>& tables,
                                  const AirPath& path) const {
+    if (!tables) {
+        return glm::dvec3(0.0);
+    }
     std::vector<PathNode> nodes;
     for (const PathPiece& piece : piecesOf(sky_.air, path)) {
         addNodes(lengths_, path, piece, later_, nodes);
     }
-    return sources.march(sum, path, nodes);
+    return tables->sources.march(tables->sum, path, nodes);
 }
 
 // By light that the ground may still reflect: all orders but the last.
 glm::dvec3 SkySight::Impl::groundIrradiance(double muS) const {
     glm::dvec3 sum = sunIrradiance(lengths_, muS);
-    for (int order = 1; order < orders_; ++order) {
-        sum += sources_->irradiance(order, muS);
+    for (int order = 1; order < tables_->orders; ++order) {
+        sum += tables_->later->sources.irradiance(order, muS);
     }
     return sum;
 }
@@ -110,7 +141,7 @@ SkyLight SkySight::Impl::along(const AirPath& path) const {
     SkyLight light;
     light.transmittance =
         transmittance(sky_.air, opticalLengths(sky_.air, path.height, path.mu, path.length));
-    light.air = single(path) + later(path);
+    light.air = single(path) + later(tables_->later, path);
     if (path.endsOnGround) {
         light.ground =
             groundLight(lengths_, path, [&](double muS) { return groundIrradiance(muS); });
@@ -133,7 +164,11 @@ glm::dvec3 SkySight::Impl::sunDisc(const glm::dvec3& direction, double pixelRadi
     return covered * limb / (2.0 * kPi * (1.0 - std::cos(radius)));
 }
 
-SkySight::SkySight(const SkyOverScene& sky) : impl_(std::make_unique<const Impl>(sky)) {}
+SkySight::SkySight(const SkyOverScene& sky, SkyTableStore* store) {
+    SkyTableStore own;
+    impl_ = std::make_unique<const Impl>(
+        sky, (store != nullptr ? *store : own).tablesOf(sky.air, sky.orders));
+}
 SkySight::~SkySight() = default;
 SkySight::SkySight(SkySight&&) noexcept = default;
 SkySight& SkySight::operator=(SkySight&&) noexcept = default;
@@ -176,12 +211,6 @@ glm::dvec3 SkySight::throughAir(const glm::dvec3& color, const glm::dvec3& from,
 SkyError SkySight::errorOf(std::span<const SkyRay> rays) const {
     const Atmosphere& air = impl_->sky().air;
     const SkyIntegrator exact(air, {.orders = 1}, {});
-    std::optional<SkySources> coarse;
-    SkySources::Grid coarseSum;
-    if (impl_->orders() > 1) {
-        coarse.emplace(impl_->lengths(), impl_->orders(), true, pictureSkyTables());
-        coarseSum = coarse->sum(false);
-    }
     std::vector<double> errors(rays.size());
     parallelFor(rays.size(), [&](std::size_t i) {
         const std::optional<AirPath> path = airPath(air, rays[i]);
@@ -189,11 +218,9 @@ SkyError SkySight::errorOf(std::span<const SkyRay> rays) const {
             return;
         }
         const glm::dvec3 first = impl_->single(*path);
-        const glm::dvec3 later = impl_->later(*path);
+        const glm::dvec3 later = impl_->later(impl_->tables().later, *path);
         glm::dvec3 off = glm::abs(first - exact.singleAlong(rays[i]).sum());
-        if (coarse) {
-            off += glm::abs(later - impl_->later(*coarse, coarseSum, *path));
-        }
+        off += glm::abs(later - impl_->later(impl_->tables().coarser, *path));
         const glm::dvec3 sum = first + later;
         const double largest = std::max({sum.x, sum.y, sum.z});
         errors[i] = largest > 0.0 ? std::max({off.x, off.y, off.z}) / largest : 0.0;

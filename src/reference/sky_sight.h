@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -29,11 +30,29 @@ struct SkyError {
     double rms = 0.0;
 };
 
+/// What the air scatters of light that was scattered before, for all heights, suns and directions:
+/// of one air and its orders, wherever the sun stands.
+class SkyLightTables;
+
+/// Keeps tables that several pictures share. Not to be asked by two threads at once.
+class SkyTableStore {
+  public:
+    /// Made on all cores (seconds where there is more than one order) unless they are there.
+    std::shared_ptr<const SkyLightTables> tablesOf(const Atmosphere& air, const SkyOrders& orders);
+
+  private:
+    struct Kept {
+        Atmosphere air;
+        SkyOrders orders;
+        std::shared_ptr<const SkyLightTables> tables;
+    };
+    std::vector<Kept> kept_;
+};
+
 class SkySight {
   public:
-    /// `sky.air` as checked() takes it. Makes tables, on all cores (seconds) where there is more
-    /// than one order.
-    explicit SkySight(const SkyOverScene& sky);
+    /// `sky.air` as checked() takes it. With tables of its own, or out of a store.
+    explicit SkySight(const SkyOverScene& sky, SkyTableStore* store = nullptr);
     ~SkySight();
     SkySight(SkySight&&) noexcept;
     SkySight& operator=(SkySight&&) noexcept;

@@ -241,6 +241,73 @@ class Failures(SweepTest):
         self.expect_error(JOB_FAILED, ["file"], "sweep", "floor.gltf", "-o", "file/out", *QUICK)
 
 
+class Skies(CommandTest):
+    VIEWS = ["space-far", "space-near", "entering", "inside", "sunset", "night-limb"]
+
+    def sweep(self, *arguments):
+        return self.expect_done("sweep", "--preset=pinheiro2014", "--size=48x27", "--repeat=2",
+                                "--warmup=0", "-o", "out", *arguments)
+
+    def records(self):
+        text = (self.folder / "out/sweep.json").read_text()
+        return {each["name"]: each for each in json.loads(text)["benchmarks"]}
+
+    def test_six_viewpoints_beside_the_thesis(self):
+        models = ["auto-once", "single-2008", "chapman", "chapman-better"]
+        result = self.sweep("--sky=" + ",".join(models))
+        for model, thesis in [("single-2008", r"6240 +14\.08"), ("chapman", r"0 +0\.0014")]:
+            self.assertRegex(result.stdout, rf"(?m)^{model} +{thesis}  ")
+        self.assertIn("24 pictures, 0 failed", result.stdout)
+        records = self.records()
+        self.assertEqual(list(records), [f"{view}/{model}/48x27" for model in models
+                                         for view in self.VIEWS])
+        for name, record in records.items():
+            self.assertEqual((record["status"], record["repetitions"]), ("measured", 2), name)
+            self.assertGreater(record["sky_gpu_ms"]["median"], 0)
+            for picture in ["picture", "difference", "reference"]:
+                self.assertTrue((self.folder / "out" / record[picture]).is_file(), picture)
+            self.assertLess(record["own"]["reference_relative_rms"], 1e-4)
+        inside = [records[f"inside/{model}/48x27"]["own"]["relative_median"] for model in models]
+        self.assertLess(inside[0], 1e-3)
+        self.assertLess(inside[1], 1e-2)
+        self.assertLess(inside[3], 0.2 * inside[2])
+        # What a model leaves out is seen in the light of all.
+        self.assertGreater(records["inside/auto-once/48x27"]["whole"]["relative_median"], 0.05)
+        # Two volumes of 32 x 64 x 256 texels and a plane of 256 x 64, of 8 and 16 bytes.
+        tables = records["inside/single-2008/48x27"]["memory_bytes"]
+        self.assertAlmostEqual(tables / (2 * 8 * 32 * 64 * 256 + 16 * 256 * 64), 1, delta=1e-3)
+        self.assertLess(records["inside/chapman/48x27"]["memory_bytes"], 2048)
+        with open(self.folder / "out/sweep.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        for row in rows:
+            record = records[row["name"]]
+            self.assertEqual(float(row["sky_gpu_ms"]), record["sky_gpu_ms"]["median"])
+            self.assertEqual(float(row["relative_p95@own"]), record["own"]["relative_p95"])
+            self.assertEqual(float(row["flip_mean@whole"]), record["whole"]["flip_mean"])
+        page = (self.folder / "out/report.html").read_text(encoding="utf-8")
+        self.assertEqual(page.count("<section>"), 8)
+        self.assertEqual(page.count("data:image/png;base64,"), 6 * (1 + 2 * 4))
+        self.assertNotIn("http", page.replace("http://www.w3.org", ""))
+        # References are kept: once scattered with haze and without, and all orders.
+        kept = sorted((self.folder / "out/references").iterdir())
+        self.assertEqual(len(kept), 18)
+        before = [path.stat().st_mtime_ns for path in kept]
+        self.sweep("--sky=chapman")
+        self.assertEqual([path.stat().st_mtime_ns for path in kept], before)
+
+    def test_wrong_usage(self):
+        for words, arguments in [
+            (["--sky", "'blue'", "chapman-better"], ["--preset=pinheiro2014", "--sky=blue"]),
+            (["--planes", "pinheiro2014"], ["--preset=pinheiro2014", "--planes=8"]),
+            (["--haze", "pinheiro2014"], ["--preset=pinheiro2014", "--haze=0.1"]),
+            (["scenes", "pinheiro2014"], ["a.glb", "--preset=pinheiro2014"]),
+            (["scenes"], []),
+            (["--sky", "--preset pinheiro2014"], ["a.glb", "--sky=auto"]),
+        ]:
+            self.expect_error(USAGE, words, "sweep", "-o", "out", *arguments)
+        self.assertFalse((self.folder / "out").exists())
+
+
 class Report(SweepTest):
     # Counts what was painted, in a copy of the page.
     COUNT_PIXELS = b"""<script>

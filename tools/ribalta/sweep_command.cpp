@@ -13,14 +13,20 @@
 #include "base/log.h"
 #include "gl/context.h"
 #include "haze_options.h"
+#include "interrupts.h"
 #include "measure/pessoa2007.h"
 #include "measure/sweep_report.h"
 #include "options.h"
 #include "sweep_plan.h"
 #include "sweep_run.h"
+#include "sweep_sky.h"
 
 namespace ribalta {
 namespace {
+
+constexpr const char* kOptionsOfSkies[] = {"--preset", "--sky",    "--size",
+                                           "--repeat", "--warmup", "--max-point-seconds",
+                                           "--output", "--fresh",  "--verbose"};
 
 struct SweepOptions {
     std::vector<std::string> scenes;
@@ -37,6 +43,7 @@ struct SweepOptions {
     double maxPointSeconds = 60.0;
     double target = 0.5;
     std::string preset;
+    std::string sky = "all";
     std::filesystem::path output;
     bool fresh = false;
     bool verbose = false;
@@ -120,8 +127,61 @@ void endBySignal(const SweepRun& run, int signal) {
     std::raise(signal);
 }
 
-void sweep(const SweepOptions& options) {
+// Options of beams mean nothing to skies, and the other way round.
+void refuseOptionsOfBeams(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string name = option->get_name();
+        const bool known = std::any_of(std::begin(kOptionsOfSkies), std::end(kOptionsOfSkies),
+                                       [&](const char* each) { return name == each; });
+        if (option->count() > 0 && !known) {
+            throw CLI::ValidationError(name,
+                                       "means nothing to the preset pinheiro2014; leave it out");
+        }
+    }
+}
+
+void sweepSky(const SweepOptions& options) {
+    SkySweepSettings settings;
+    settings.folder = options.output;
+    settings.rows = parseSkyRows(options.sky);
+    settings.measure.repeats = options.repeat;
+    settings.measure.warmups = options.warmup;
+    settings.measure.maxPointSeconds = options.maxPointSeconds;
+    settings.fresh = options.fresh;
+    settings.size = parseSize(options.sizeOption->count() > 0 ? options.size : "480x270");
+    const Context context;
+    logVerbose("OpenGL: " + context.renderer() + ", " + context.version());
+    const std::vector<SkyRecord> records = sweepSkies(settings, context);
+    std::printf("%s", skyTable(records).c_str());
+    const auto failed = std::size_t(std::count_if(
+        records.begin(), records.end(), [](const SkyRecord& record) { return record.failed; }));
+    std::printf("%zu pictures, %zu failed; %s\n", records.size(), failed,
+                (options.output / "report.html").c_str());
+    if (const int signal = InterruptWatch::noted(); signal != 0) {
+        logWarning("interrupted; references that were drawn are kept");
+        std::fflush(nullptr);
+        std::raise(signal);
+    }
+    if (failed > 0) {
+        throw Error(ErrorKind::kJobFailed, {options.output.string(), ""},
+                    "partial: " + std::to_string(failed) + " of " + std::to_string(records.size()) +
+                        " pictures failed; sweep.csv says why");
+    }
+}
+
+void sweep(const CLI::App& command, const SweepOptions& options) {
     setVerbose(options.verbose);
+    if (options.preset == "pinheiro2014") {
+        refuseOptionsOfBeams(command);
+        sweepSky(options);
+        return;
+    }
+    if (options.scenes.empty()) {
+        throw CLI::RequiredError("scenes");
+    }
+    if (command.get_option("--sky")->count() > 0) {
+        throw CLI::ValidationError("--sky", "needs --preset pinheiro2014");
+    }
     const SweepGrid grid = gridFrom(options);
     SweepSettings settings;
     settings.folder = options.output;
@@ -159,9 +219,10 @@ void sweep(const SweepOptions& options) {
 }
 
 void addPointOptions(CLI::App& command, SweepOptions& options) {
-    command.add_option("scenes", options.scenes, "glTF scenes, .gltf or .glb")
-        ->type_name("FILE")
-        ->required();
+    command
+        .add_option("scenes", options.scenes,
+                    "glTF scenes, .gltf or .glb; the preset pinheiro2014 needs none")
+        ->type_name("FILE");
     command
         .add_option("--camera", options.cameras,
                     "camera, by name or counted from 0, in each scene that has it; several times "
@@ -193,9 +254,17 @@ void addPointOptions(CLI::App& command, SweepOptions& options) {
     command
         .add_option("--preset", options.preset,
                     "pessoa2007: the six configurations of the thesis, at 640x480, its table "
-                    "printed beside ours")
+                    "printed beside ours; pinheiro2014: skies instead of beams, from the thesis's "
+                    "six viewpoints, at 480x270: memory, times, error against the reference")
         ->type_name("NAME")
-        ->check(CLI::IsMember({"pessoa2007"}).description(""));
+        ->check(CLI::IsMember({"pessoa2007", "pinheiro2014"}).description(""));
+    command
+        .add_option("--sky", options.sky,
+                    "with the preset pinheiro2014: models by comma, or all: auto, auto-once, "
+                    "bruneton, bruneton-once, bruneton-rayleigh, single, single-2008, "
+                    "single-rayleigh, chapman, chapman-better")
+        ->type_name("NAMES")
+        ->capture_default_str();
 }
 
 void addMeasureOptions(CLI::App& command, SweepOptions& options) {
@@ -246,7 +315,7 @@ void addSweepCommand(CLI::App& app) {
     const auto options = std::make_shared<SweepOptions>();
     addPointOptions(*command, *options);
     addMeasureOptions(*command, *options);
-    command->callback([options] { sweep(*options); });
+    command->callback([command, options] { sweep(*command, *options); });
 }
 
 }  // namespace ribalta

@@ -1,12 +1,7 @@
 #include "sweep_run.h"
 
 #include <algorithm>
-#include <ctime>
-#include <fstream>
-#include <thread>
 #include <utility>
-
-#include <sys/utsname.h>
 
 #include "base/content_hash.h"
 #include "base/error.h"
@@ -21,6 +16,7 @@
 #include "measure/scene_hash.h"
 #include "measure/sweep_report.h"
 #include "reference/reference_file.h"
+#include "sweep_context.h"
 
 namespace ribalta {
 namespace {
@@ -28,72 +24,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kPictureWidth = 480;
-
-#ifdef NDEBUG
-constexpr const char* kBuildType = "release";
-#else
-constexpr const char* kBuildType = "debug";
-#endif
-
-std::string now() {
-    const std::time_t time = std::time(nullptr);
-    std::tm parts{};
-    localtime_r(&time, &parts);
-    char text[40];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S%z", &parts);
-    return text;
-}
-
-// "model name : Intel ..." of the first processor; empty where the system does not say.
-std::string processorName() {
-    std::ifstream stream("/proc/cpuinfo");
-    std::string line;
-    while (std::getline(stream, line)) {
-        if (line.starts_with("model name")) {
-            const std::size_t colon = line.find(": ");
-            return colon == std::string::npos ? "" : line.substr(colon + 2);
-        }
-    }
-    return "";
-}
-
-// As the user typed it, its folders left out of the program's name.
-std::string commandLine() {
-    std::ifstream stream("/proc/self/cmdline");
-    std::string line;
-    std::string argument;
-    while (std::getline(stream, argument, '\0')) {
-        if (line.empty()) {
-            argument = std::filesystem::path(argument).filename().string();
-        }
-        const bool plain = argument.find_first_of(" '\"\\$*") == std::string::npos;
-        line += line.empty() ? "" : " ";
-        line += plain ? argument : '\'' + argument + '\'';
-    }
-    return oneLine(line);
-}
-
-std::string systemName() {
-    utsname names{};
-    uname(&names);
-    return std::string(names.sysname) + " " + names.release + " " + names.machine;
-}
-
-// As Google Benchmark's, with what else a picture's time depends on.
-Json makeContext(const Context& context, const std::string& program) {
-    return {{"date", now()},
-            {"executable", "ribalta"},
-            {"command", commandLine()},
-            {"version", RIBALTA_VERSION},
-            {"program", program},
-            {"renderer", context.renderer()},
-            {"opengl", context.version()},
-            {"software_renderer", context.isSoftware()},
-            {"cpu", processorName()},
-            {"num_cpus", std::thread::hardware_concurrency()},
-            {"system", systemName()},
-            {"library_build_type", kBuildType}};
-}
 
 std::string fileName(const SweepPoint& point) {
     return std::filesystem::path(point.scene).filename().string();
@@ -117,15 +47,6 @@ bool sameView(const PlannedPoint& a, const PlannedPoint& b) {
     return a.scene == b.scene && a.point.view() == b.point.view();
 }
 
-void makeFolder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) {
-        throw Error(ErrorKind::kJobFailed, {folder.string(), ""},
-                    "cannot be made: " + error.message() + "; choose another folder");
-    }
-}
-
 void tellOfPoint(const SweepRecord& record) {
     const std::string point = record.point.name() + ": ";
     if (record.status == SweepRecord::Status::kFailed) {
@@ -145,7 +66,7 @@ void tellOfPoint(const SweepRecord& record) {
 SweepRun::SweepRun(SweepPlan plan, SweepSettings settings, const Context& context)
     : plan_(std::move(plan)), settings_(std::move(settings)), renderer_(context.renderer()) {
     program_ = std::string(RIBALTA_VERSION) + " " + hashProgram().substr(0, 8);
-    context_ = makeContext(context, program_);
+    context_ = sweepContext(context, program_);
     settings_.measure.interrupted = [] { return InterruptWatch::noted() != 0; };
     records_.resize(plan_.points.size());
     done_.resize(plan_.points.size());
