@@ -199,7 +199,7 @@ TEST_F(SkyBaselinePicture, TablesAreMadeOnceAndGivenBack) {
         Renderer renderer(scene_);
         settings_.sky->model = ChapmanSky{};
         const std::uint64_t texturesBefore = glCounters().texturesMade;
-        EXPECT_EQ(renderer.draw(camera_, settings_).describe(), "forward sky");
+        EXPECT_EQ(renderer.draw(camera_, settings_).describe(), "sun_shadow[1] forward sky");
         const std::uint64_t none = glCounters().bytesAllocated;
         const std::uint64_t targets = glCounters().texturesMade - texturesBefore;
 
@@ -210,7 +210,7 @@ TEST_F(SkyBaselinePicture, TablesAreMadeOnceAndGivenBack) {
         EXPECT_NEAR(double(glCounters().bytesAllocated - none), double(tables), 1024.0);
         const std::uint64_t made = glCounters().texturesMade;
         settings_.sky->towardsSun = {0.0, 1.0, 0.0};
-        EXPECT_EQ(renderer.draw(camera_, settings_).describe(), "forward sky");
+        EXPECT_EQ(renderer.draw(camera_, settings_).describe(), "sun_shadow[1] forward sky");
         EXPECT_EQ(glCounters().texturesMade, made);
 
         settings_.sky->model = OwnSky{};
