@@ -32,17 +32,17 @@ layout(binding = kAerialUnit) uniform sampler2DArray aerial;
 vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
     float mu = dot(direction, sky.zenith.xyz);
     float nu = clamp(dot(direction, sky.sun.xyz), -1.0, 1.0);
-    float angle = acos(clamp(mu, -1.0, 1.0));
-    float horizon = horizonAngle(air, sky.zenith.w);
-    ground = angle > horizon;
-    float u = ground ? sqrt((angle - horizon) / (kSkyPi - horizon))
-                     : sqrt((horizon - angle) / upperSpan(air, sky.zenith.w));
-    if (u > 1.0 && !ground) {
+    vec2 horizon = horizonPlace(air, sky.zenith.w);
+    ground = mu < horizon.x;
+    float part = length(zenithPlace(mu) - horizon) /
+                 length(endPlace(air, sky.zenith.w, ground) - horizon);
+    if (part > 1.0 && !ground) {
         return vec3(0.0);
     }
+    float u = rowOfPart(air, sky.zenith.w, ground, clamp(part, 0.0, 1.0));
     float azimuth = acos(skyAzimuthCosine(mu, sky.sun.w, nu)) * kSkyInversePi;
     vec2 last = vec2(kSkyViewAzimuths - 1, kSkyViewAngles - 1);
-    vec2 uv = (vec2(azimuth, u) * last + 0.5) / (last + 1.0);
+    vec2 uv = (vec2(columnOfAzimuth(azimuth), u) * last + 0.5) / (last + 1.0);
     float layer = ground ? 2.0 : 0.0;
     return textureLod(skyView, vec3(uv, layer), 0.0).rgb +
            textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb * phaseCornetteShanks(nu, air.mieG);

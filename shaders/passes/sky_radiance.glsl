@@ -29,6 +29,12 @@ const float kPartial[kSkyNodes * kSkyNodes] = float[kSkyNodes * kSkyNodes](
     0.051233074, 0.108964802, 0.161496789, 0.172970159, 0.197316995, 0.078426661, -0.009669008, 0.002026732,
     0.050171466, 0.112755452, 0.153713570, 0.186557244, 0.173192183, 0.170493119, 0.055595259, -0.004145054,
     0.050891776, 0.110217760, 0.158770998, 0.178263400, 0.185824907, 0.150572492, 0.120296461, 0.025307134);
+// Parts that each smooth piece of a ray is summed up in; more than one where air is so thick that its
+// light comes from a small stretch of the way.
+#ifndef SKY_PARTS
+#define SKY_PARTS 1
+#endif
+
 struct SkyLight {
     vec3 rayleigh;  // scattered once, without the phase function
     vec3 mie;
@@ -99,18 +105,21 @@ void addSources(Air air, float h, float mu, float muS, float nu, vec3 rayleigh, 
 }
 #endif
 
-/// Adds a piece of the ray on which all is smooth, and its optical lengths to those before it.
-void addPiece(Air air, vec4 ray, float first, float last, bool rises, bool lit,
-              inout SkyLight light) {
+/// Adds a part of a piece of the ray on which all is smooth, and its optical lengths to those before
+/// it. The part lies between two squares of the piece's way from its lower end, `from` and from + part
+/// of 0..1.
+void addPiece(Air air, vec4 ray, float first, float last, bool rises, bool lit, float from,
+              float part, inout SkyLight light) {
     float size = last - first;
     vec2 densities[kSkyNodes];
     float heights[kSkyNodes];
     vec2 whole = vec2(0.0);
     for (int i = 0; i < kSkyNodes; ++i) {
-        float way = size * kNodes[i] * kNodes[i];
+        float u = from + part * kNodes[i];
+        float way = size * u * u;
         float h = clamp(heightAlong(air, ray.x, ray.y, rises ? first + way : last - way), 0.0, air.top);
         heights[i] = h;
-        densities[i] = 2.0 * kNodes[i] * size *
+        densities[i] = 2.0 * u * part * size *
                        vec2(airDensity(h, air.rayleighHeight), airDensity(h, air.mieHeight));
         whole += kWeights[i] * densities[i];
     }
@@ -123,7 +132,8 @@ void addPiece(Air air, vec4 ray, float first, float last, bool rises, bool lit,
         vec3 reaching = kWeights[i] * airTransmittance(air, lengths.x, lengths.y);
         vec3 rayleigh = densities[i].x * air.rayleighScattering * reaching;
         vec3 mie = densities[i].y * air.mieScattering * reaching;
-        float way = size * kNodes[i] * kNodes[i];
+        float u = from + part * kNodes[i];
+        float way = size * u * u;
         float t = rises ? first + way : last - way;
         float h = heights[i];
         float muS = sunCosineAlong(air, ray.x, ray.z, ray.w, t, h);
@@ -162,8 +172,12 @@ SkyLight marchSky(Air air, vec4 ray, float lengthMetres) {
     for (int i = 0; i < 4; ++i) {
         if (cuts[i + 1] > cuts[i]) {
             float middle = 0.5 * (cuts[i] + cuts[i + 1]);
-            addPiece(air, ray, cuts[i], cuts[i + 1], middle >= turn, middle <= entry || middle >= exit,
-                     light);
+            bool rises = middle >= turn;
+            for (int k = 0; k < SKY_PARTS; ++k) {
+                float part = 1.0 / float(SKY_PARTS);
+                addPiece(air, ray, cuts[i], cuts[i + 1], rises, middle <= entry || middle >= exit,
+                         part * float(rises ? k : SKY_PARTS - 1 - k), part, light);
+            }
         }
     }
     return light;

@@ -3,18 +3,52 @@
 // and its first row at the horizon, so that none takes light from beyond it.
 #include "passes/sky_radiance.glsl"
 
-/// Angle from the zenith to the horizon at a height.
-float horizonAngle(Air air, float h) {
-    return 0.5 * kSkyPi + atan(sqrt(max(airSquare(air, h), 0.0)), air.groundRadius);
+/// Directions as cosine and sine of their angle from the zenith: they tell angles at the horizon apart
+/// that arc functions, good to 1e-5, would not, and those are what the limb is wide as seen from space.
+vec2 zenithPlace(float mu) { return vec2(mu, sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))); }
+
+/// The horizon at a height.
+vec2 horizonPlace(Air air, float h) {
+    return vec2(-sqrt(max(airSquare(air, h), 0.0)), air.groundRadius) / (air.groundRadius + h);
 }
 
-/// How far the upper half reaches up from the horizon: to the zenith, or to the air's edge as seen
-/// from above it.
-float upperSpan(Air air, float h) {
-    float horizon = horizonAngle(air, h);
-    if (h <= air.top) {
-        return horizon;
+/// The other end of a half: the nadir, the zenith, or the air's edge as seen from above it.
+vec2 endPlace(Air air, float h, bool ground) {
+    if (ground) {
+        return vec2(-1.0, 0.0);
+    }
+    if (h < air.top) {
+        return vec2(1.0, 0.0);
     }
     float beyond = (h - air.top) * (2.0 * air.groundRadius + h + air.top);
-    return horizon - (0.5 * kSkyPi + atan(sqrt(beyond), air.groundRadius + air.top));
+    return vec2(-sqrt(beyond), air.groundRadius + air.top) / (air.groundRadius + h);
 }
+
+/// The direction at a distance on the unit circle from the horizon, straight through it.
+vec2 placeFromHorizon(vec2 horizon, float chord, bool ground) {
+    float cosine = 1.0 - 0.5 * chord * chord;
+    float sine = chord * sqrt(max(1.0 - 0.25 * chord * chord, 0.0)) * (ground ? -1.0 : 1.0);
+    return vec2(horizon.x * cosine + horizon.y * sine, horizon.y * cosine - horizon.x * sine);
+}
+
+/// Distances from the horizon, as parts of what the half spans, by rows 0..1: dense at the horizon, and
+/// as seen from above the air at its edge too.
+float partOfRow(Air air, float h, bool ground, float row) {
+    if (ground) {
+        return row * row * row;
+    }
+    float sine = h < air.top ? row : sin(0.5 * kSkyPi * row);
+    return sine * sine;
+}
+float rowOfPart(Air air, float h, bool ground, float part) {
+    if (ground) {
+        return pow(part, 1.0 / 3.0);
+    }
+    float sine = sqrt(part);
+    return h < air.top ? sine : asin(sine) * (2.0 / kSkyPi);
+}
+
+/// Columns are dense towards the sun's azimuth, where twilight changes fastest; azimuths as parts of
+/// half a turn.
+float azimuthOfColumn(float column) { return column * sqrt(column); }
+float columnOfAzimuth(float azimuth) { return pow(azimuth, 2.0 / 3.0); }

@@ -15,12 +15,13 @@ void main() {
     Air air = readAir();
     float u = float(at.y) / float(kSkyViewAngles - 1);
     float h = sky.zenith.w;
-    float horizon = horizonAngle(air, h);
-    float angle = ground ? horizon + (kSkyPi - horizon) * u * u : horizon - upperSpan(air, h) * u * u;
-    float mu = cos(angle);
+    vec2 horizon = horizonPlace(air, h);
+    float span = length(endPlace(air, h, ground) - horizon);
+    vec2 place = placeFromHorizon(horizon, span * partOfRow(air, h, ground, u), ground);
+    float mu = clamp(place.x, -1.0, 1.0);
     float muS = sky.sun.w;
-    float cosAzimuth = cos(kSkyPi * float(at.x) / float(kSkyViewAzimuths - 1));
-    float sines = sin(angle) * sqrt(max((1.0 - muS) * (1.0 + muS), 0.0));
+    float cosAzimuth = cos(kSkyPi * azimuthOfColumn(float(at.x) / float(kSkyViewAzimuths - 1)));
+    float sines = place.y * sqrt(max((1.0 - muS) * (1.0 + muS), 0.0));
     vec4 ray = vec4(h, mu, muS, clamp(mu * muS + sines * cosAzimuth, -1.0, 1.0));
 
     vec3 mie = vec3(0.0);

@@ -1,5 +1,9 @@
 #include "render/sky_textures.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <shared/slots.h>
 
 #include "optics/shader_lib.h"
@@ -19,11 +23,30 @@ Texture2D linearTexture(const std::string& label, const Texture2D::Size& size,
     return texture;
 }
 
+/// Optical length past which a level ray's light is no longer smooth enough for one sum: Earth's
+/// clean air reaches 19 in blue, which is spread over a greater height than haze.
+constexpr double kThickRayleigh = 22.0;
+constexpr double kThickMie = 4.0;
+
+/// Of a ray that grazes the ground, with H much smaller than R: extinction sqrt(2 pi R H).
+double grazing(const glm::dvec3& extinction, double scaleHeight, double radius) {
+    return std::max({extinction.x, extinction.y, extinction.z}) *
+           std::sqrt(2.0 * std::numbers::pi * radius * scaleHeight);
+}
+
+bool isThick(const Atmosphere& air) {
+    return grazing(air.rayleighScatteringPerMetre, air.rayleighScaleHeightMetres,
+                   air.groundRadiusMetres) > kThickRayleigh ||
+           grazing(air.mieExtinctionPerMetre, air.mieScaleHeightMetres, air.groundRadiusMetres) >
+               kThickMie;
+}
+
 }  // namespace
 
 void SkyTextures::make(const Atmosphere& air, const SkyOrders& orders, const FileCache* files) {
     tables_.emplace(air, orders, files);
     orders_ = orders;
+    thick_ = isThick(air);
     const std::vector<gpu::Atmosphere> described = {describeAtmosphere(air)};
     atmosphere_.write("atmosphere", bytesOf(described));
     opticalLengths_ = Texture2D("optical lengths", GL_RG32F,
@@ -53,7 +76,14 @@ void SkyTextures::bind() const {
 }
 
 std::vector<std::string> SkyTextures::defines() const {
-    return orders_.count > 1 ? std::vector<std::string>{"SOURCES"} : std::vector<std::string>{};
+    std::vector<std::string> defines;
+    if (orders_.count > 1) {
+        defines.emplace_back("SOURCES");
+    }
+    if (thick_) {
+        defines.emplace_back("SKY_PARTS 4");
+    }
+    return defines;
 }
 
 }  // namespace ribalta

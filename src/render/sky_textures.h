@@ -24,6 +24,7 @@ class SkyTextures {
 
   private:
     SkyOrders orders_;
+    bool thick_ = false;
     std::optional<SkyTables> tables_;
     Buffer atmosphere_;
     Texture2D opticalLengths_;

@@ -1,5 +1,6 @@
 #include "render/passes/sky.h"
 
+#include <cmath>
 #include <utility>
 
 #include <shared/sky.h>
@@ -11,6 +12,7 @@ namespace ribalta {
 namespace {
 
 constexpr double kSmallestHaze = 5.0;  // metres
+constexpr double kAtTheTop = 10.0;     // metres
 
 GLuint groups(int count) {
     return GLuint((count + gpu::kSkyGroup - 1) / gpu::kSkyGroup);
@@ -61,7 +63,12 @@ void SkyPass::uploadFrame(const SkyWork& work, const Camera& camera) {
     const glm::dvec3 suns = baseline_ ? glm::dvec3(0.0) : textures_.tables().suns();
     gpu::SkyFrame frame{};
     frame.worldFromView = worldFromView(camera);
-    frame.zenith = glm::vec4(turn * work.eye.zenith, work.eye.heightMetres);
+    // Seen from just below the air's end there is nothing above that counts, but an edge in the
+    // light that rows of the view's table would blur.
+    const double top = work.drawing.air.topMetres;
+    const double height =
+        std::abs(work.eye.heightMetres - top) < kAtTheTop ? top : work.eye.heightMetres;
+    frame.zenith = glm::vec4(turn * work.eye.zenith, height);
     frame.sun = glm::vec4(turn * work.drawing.towardsSun, work.eye.muS);
     frame.sunward = glm::vec4(turn * lighting_.sunward, 0.0);
     frame.suns = glm::vec4(suns, 0.0);
