@@ -95,7 +95,7 @@ SkyPictureError skyPictureError(const RgbPicture& drawn, const RgbPicture& refer
                 continue;
             }
             for (int c = 0; c < 3; ++c) {
-                const double right = double(reference.at(x, y)[c]);
+                const auto right = double(reference.at(x, y)[c]);
                 if (right > kDarkest * truth.air.sunIlluminanceLux[c]) {
                     errors.push_back(std::abs(double(drawn.at(x, y)[c]) / right - 1.0));
                 }

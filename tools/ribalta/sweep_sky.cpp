@@ -4,6 +4,7 @@
 #include <ctime>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -49,8 +50,8 @@ RgbPicture readColors(const Renderer& renderer) {
 
 class SkySweep {
   public:
-    SkySweep(const SkySweepSettings& settings, const Context& context)
-        : settings_(settings),
+    SkySweep(SkySweepSettings settings, const Context& context)
+        : settings_(std::move(settings)),
           context_(sweepContext(context,
                                 std::string(RIBALTA_VERSION) + " " + hashProgram().substr(0, 8))) {
         makeFolder(settings_.folder / "pictures");
