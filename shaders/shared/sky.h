@@ -5,8 +5,8 @@ SHARED_BEGIN
 
 const int kSkyGroup = 8;         // invocations of a work group each way
 const int kSkyRayGroup = 64;     // of one that goes through a list of rays
-const int kSkyViewAzimuths = 48; // the table of what is seen from the eye's height
-const int kSkyViewAngles = 64;   // above the horizon, and as many below
+const int kSkyViewAzimuths = 56; // the table of what is seen from the eye's height
+const int kSkyViewAngles = 76;   // above the horizon, and as many below
 const int kAerialAcross = 24;    // the table of the air in front of surfaces
 const int kAerialDown = 32;
 const int kAerialDepths = 20;

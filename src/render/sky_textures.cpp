@@ -27,6 +27,9 @@ Texture2D linearTexture(const std::string& label, const Texture2D::Size& size,
 /// clean air reaches 19 in blue, which is spread over a greater height than haze.
 constexpr double kThickRayleigh = 22.0;
 constexpr double kThickMie = 4.0;
+/// The same for air that lies so thin over the ground that a ray passes it in a small part of its
+/// way.
+constexpr double kThinLayer = 1000.0;  // metres, scale height
 
 /// Of a ray that grazes the ground, with H much smaller than R: extinction sqrt(2 pi R H).
 double grazing(const glm::dvec3& extinction, double scaleHeight, double radius) {
@@ -35,7 +38,8 @@ double grazing(const glm::dvec3& extinction, double scaleHeight, double radius) 
 }
 
 bool isThick(const Atmosphere& air) {
-    return grazing(air.rayleighScatteringPerMetre, air.rayleighScaleHeightMetres,
+    return std::min(air.rayleighScaleHeightMetres, air.mieScaleHeightMetres) < kThinLayer ||
+           grazing(air.rayleighScatteringPerMetre, air.rayleighScaleHeightMetres,
                    air.groundRadiusMetres) > kThickRayleigh ||
            grazing(air.mieExtinctionPerMetre, air.mieScaleHeightMetres, air.groundRadiusMetres) >
                kThickMie;
