@@ -44,8 +44,9 @@ vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
     vec2 last = vec2(kSkyViewAzimuths - 1, kSkyViewAngles - 1);
     vec2 uv = (vec2(columnOfAzimuth(azimuth), u) * last + 0.5) / (last + 1.0);
     float layer = ground ? 2.0 : 0.0;
-    return textureLod(skyView, vec3(uv, layer), 0.0).rgb +
-           textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb * phaseCornetteShanks(nu, air.mieG);
+    return fromSkyTexel(textureLod(skyView, vec3(uv, layer), 0.0).rgb) +
+           fromSkyTexel(textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb) *
+               phaseCornetteShanks(nu, air.mieG);
 }
 
 #endif

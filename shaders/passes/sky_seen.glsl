@@ -3,6 +3,12 @@
 // and its first row at the horizon, so that none takes light from beyond it.
 #include "passes/sky_radiance.glsl"
 
+/// The table holds logarithms, as light thins out by powers towards the air's edge and in twilight, of
+/// the light and this little more: less than a night sky's.
+const float kSkyViewFloor = 1.0e-9;
+vec3 skyTexel(vec3 light) { return log(max(light, 0.0) + kSkyViewFloor); }
+vec3 fromSkyTexel(vec3 texel) { return max(exp(texel) - kSkyViewFloor, 0.0); }
+
 /// Directions as cosine and sine of their angle from the zenith: they tell angles at the horizon apart
 /// that arc functions, good to 1e-5, would not, and those are what the limb is wide as seen from space.
 vec2 zenithPlace(float mu) { return vec2(mu, sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))); }

@@ -38,6 +38,6 @@ void main() {
         }
     }
     int layer = ground ? 2 : 0;
-    imageStore(skyView, ivec3(at, layer), vec4(rest, 0.0));
-    imageStore(skyView, ivec3(at, layer + 1), vec4(mie, 0.0));
+    imageStore(skyView, ivec3(at, layer), vec4(skyTexel(rest), 0.0));
+    imageStore(skyView, ivec3(at, layer + 1), vec4(skyTexel(mie), 0.0));
 }
