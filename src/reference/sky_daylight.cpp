@@ -13,6 +13,7 @@ namespace {
 
 constexpr DirectionCounts kAround{32, 24, 33};
 constexpr int kStripsOfSun = 32;
+constexpr int kPointsOfSun = 64;
 
 // The disc in level strips, each as bright as the other; those below the horizon are not seen.
 glm::dvec3 sunlight(const SkySight& sight) {
@@ -38,10 +39,30 @@ glm::dvec3 sunlight(const SkySight& sight) {
     return sum * sky.air.sunIlluminanceLux;
 }
 
+// Along a spiral by the golden angle, each point standing for as much of the disc as the others.
+std::vector<glm::dvec3> discOf(const glm::dvec3& middle, double radius) {
+    const glm::dvec3 axis =
+        std::abs(middle.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(middle, axis));
+    const glm::dvec3 up = glm::cross(right, middle);
+    const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < kPointsOfSun; ++i) {
+        const double angle = radius * std::sqrt((i + 0.5) / kPointsOfSun);
+        points.push_back(std::cos(angle) * middle +
+                         std::sin(angle) *
+                             (std::cos(i * golden) * right + std::sin(i * golden) * up));
+    }
+    return points;
+}
+
 }  // namespace
 
 SkyDaylight::SkyDaylight(const SkySight& sight)
-    : towardsSun_(sight.sky().towardsSun), sunLamp_(sight.sky().sunLamp), sunLux_(sunlight(sight)) {
+    : towardsSun_(sight.sky().towardsSun),
+      sunDisc_(discOf(towardsSun_, sight.sky().air.sunAngularRadius)),
+      sunLamp_(sight.sky().sunLamp),
+      sunLux_(sunlight(sight)) {
     const SkyOverScene& sky = sight.sky();
     const double height = std::clamp(sky.altitudeMetres, 0.0, sky.air.topMetres);
     const SkyDirections directions = directionsAt(sky.air, height, kAround);

@@ -15,6 +15,8 @@ class SkyDaylight {
     explicit SkyDaylight(const SkySight& sight);
 
     const glm::dvec3& towardsSun() const { return towardsSun_; }
+    /// Unit directions to points that are spread evenly over its disc; at least one.
+    const std::vector<glm::dvec3>& sunDisc() const { return sunDisc_; }
     int sunLamp() const { return sunLamp_; }
     /// On a plane that faces the sun, of the part of its disc that is above the horizon.
     const glm::dvec3& sunLux() const { return sunLux_; }
@@ -28,6 +30,7 @@ class SkyDaylight {
     };
 
     glm::dvec3 towardsSun_;
+    std::vector<glm::dvec3> sunDisc_;
     int sunLamp_;
     glm::dvec3 sunLux_{0.0};
     std::vector<Part> parts_;

@@ -212,18 +212,22 @@ bool SurfaceLight::isShadowed(const BeamLamp& lamp, const ShadedPoint& point, do
 }
 
 glm::dvec3 SurfaceLight::fromDay(const ShadedPoint& point) const {
-    constexpr double kBeyondAllScenes = 1e6;  // metres
-    glm::dvec3 light = ambientLight(point, daylight_->irradiance(point.normal));
+    const glm::dvec3 light = ambientLight(point, daylight_->irradiance(point.normal));
     const glm::dvec3 sun = reflected(point, daylight_->towardsSun()) * daylight_->sunLux();
-    if (sun != glm::dvec3(0.0)) {
-        const double side = glm::dot(daylight_->towardsSun(), point.geometric) < 0.0 ? -1.0 : 1.0;
-        const double off = 1e-9 * (kBeyondAllScenes + glm::length(point.position));
-        const glm::dvec3 from = point.position + (side * off) * point.geometric;
-        if (!caster_.isBlocked(from, from + kBeyondAllScenes * daylight_->towardsSun())) {
-            light += sun;
-        }
+    return sun == glm::dvec3(0.0) ? light : light + sunSeen(point) * sun;
+}
+
+// By rays to points that are spread evenly over the disc.
+double SurfaceLight::sunSeen(const ShadedPoint& point) const {
+    constexpr double kBeyondAllScenes = 1e6;  // metres
+    const double side = glm::dot(daylight_->towardsSun(), point.geometric) < 0.0 ? -1.0 : 1.0;
+    const double off = 1e-9 * (kBeyondAllScenes + glm::length(point.position));
+    const glm::dvec3 from = point.position + (side * off) * point.geometric;
+    int open = 0;
+    for (const glm::dvec3& direction : daylight_->sunDisc()) {
+        open += caster_.isBlocked(from, from + kBeyondAllScenes * direction) ? 0 : 1;
     }
-    return light;
+    return double(open) / double(daylight_->sunDisc().size());
 }
 
 glm::dvec3 SurfaceLight::fromPoint(const PointLight& lamp, const ShadedPoint& point) const {

@@ -45,7 +45,7 @@ ShadedPoint shadedPoint(const PlacedSurface& surface, const MaterialTextures& te
 class SurfaceLight {
   public:
     /// Keeps references to all but the haze. `day`: sun and sky, whose sun takes its lamp's
-    /// place and casts hard shadows; null where there is no sky.
+    /// place and casts shadows as soft as its disc makes them; null where there is no sky.
     SurfaceLight(const Scene& scene, std::span<const BeamLamp> spots, const RayCaster& caster,
                  const Haze& haze, double ambientLux, const SkyDaylight* day = nullptr);
 
@@ -55,6 +55,8 @@ class SurfaceLight {
   private:
     glm::dvec3 fromSpot(const BeamLamp& lamp, const ShadedPoint& point) const;
     glm::dvec3 fromDay(const ShadedPoint& point) const;
+    /// 0..1: of its disc.
+    double sunSeen(const ShadedPoint& point) const;
     glm::dvec3 fromPoint(const PointLight& lamp, const ShadedPoint& point) const;
     bool isShadowed(const BeamLamp& lamp, const ShadedPoint& point, double depth) const;
 

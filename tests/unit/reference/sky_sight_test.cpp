@@ -2,6 +2,7 @@
 // that must be so.
 #include "reference/sky_sight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -142,6 +143,42 @@ TEST(SkyDaylight, ASettingSunIsHalfThere) {
     EXPECT_GT(half, 0.2 * SkyDaylight(higher).sunLux().x);
     EXPECT_LT(half, 0.6 * SkyDaylight(higher).sunLux().x);
     EXPECT_EQ(SkyDaylight(lower).sunLux().x, 0.0);
+}
+
+TEST(SkyDaylight, AShadowsEdgeIsAsWideAsTheSun) {
+    // A roof's edge at x = 0, 100 m above a floor, under a sun at the zenith.
+    Scene scene;
+    test::addShape(scene, test::makeQuad({0, 0, 0}, {40, 0, 0}, {0, 0, -40}),
+                   test::makeMaterial(glm::vec3(0.5F)));
+    test::addShape(scene, test::makeQuad({-20, 100, 0}, {20, 0, 0}, {0, 0, -40}),
+                   test::makeMaterial(glm::vec3(0.5F)));
+    scene.materials.back().doubleSided = true;
+    ReferenceSettings settings;
+    settings.camera = test::makeCamera({0.0, 3.0, 0.0}, {0.0, 0.0, 0.0});
+    settings.width = 81;
+    settings.height = 81;
+    settings.haze.scatteringPerMetre = 0.0;
+    settings.ambientLux = 0.0;
+    settings.sky = skyAt(90.0, {1, false});
+    const ReferencePicture picture = drawReference(scene, settings);
+    const double half = viewHalfExtent(settings.camera, 81, 81).x;
+    const auto at = [&](int x) { return picture.surfaces[40 * 81 + std::size_t(x)].y; };
+    const double right = settings.camera.frame.right().x;
+    ASSERT_NEAR(std::abs(right), 1.0, 1e-9);
+    const double dark = at(right > 0.0 ? 0 : 80);
+    const double lit = at(right > 0.0 ? 80 : 0);
+    ASSERT_GT(lit, 5.0 * dark);
+    int between = 0;
+    for (int x = 0; x < 81; ++x) {
+        const double place = right * 3.0 * half * ((2.0 * x + 1.0) / 81.0 - 1.0);
+        const double part = std::clamp(place / (100.0 * 0.004653), -1.0, 1.0);
+        const double open =
+            0.5 + (part * std::sqrt(1.0 - part * part) + std::asin(part)) / std::numbers::pi;
+        // The floor reflects a little less towards the sides.
+        EXPECT_NEAR((at(x) - dark) / (lit - dark), open, 0.05) << place << " m";
+        between += open > 0.05 && open < 0.95 ? 1 : 0;
+    }
+    EXPECT_GE(between, 20);
 }
 
 TEST(SkySight, AReferenceOfAnotherSkyIsRefused) {
