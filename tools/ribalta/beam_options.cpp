@@ -61,7 +61,7 @@ void BeamOptions::addTo(CLI::App& command) {
     command
         .add_option("--tolerance", tolerance,
                     "with adaptive: how far a pixel may be off by interpolation, as a share of "
-                    "the screen's full scale, 0..1 (default: 0.4 / planes)")
+                    "the screen's full scale, 0..1 (default: 0.8 / planes, at most 0.1)")
         ->type_name("SHARE")
         ->check(expectShare, "");
     command
