@@ -309,7 +309,7 @@ class Checker {
         // Columns in the middle and at a side.
         const int columns[] = {0, image.width / 2};
         const auto at = [&](int column, int y) {
-            return std::size_t(y * image.width + columns[column]);
+            return std::size_t(y) * std::size_t(image.width) + std::size_t(columns[column]);
         };
         std::vector<glm::dvec3> expected(2 * std::size_t(image.height));
         parallelFor(expected.size(), [&](std::size_t i) {
@@ -321,7 +321,8 @@ class Checker {
         parallelFor(all.size(), [&](std::size_t i) {
             const int x = kEvery * (int(i) % (image.width / kEvery));
             const int y = kEvery * (int(i) / (image.width / kEvery));
-            all[i] = total(exact_->along(rays[std::size_t(y * image.width + x)]));
+            all[i] = total(
+                exact_->along(rays[std::size_t(y) * std::size_t(image.width) + std::size_t(x)]));
         });
         all.insert(all.end(), expected.begin(), expected.end());
         glm::dvec3 brightest = overhead_;
