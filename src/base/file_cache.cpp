@@ -100,7 +100,8 @@ void FileCache::keep(const std::string& name, const std::string& key,
     const Head head = headOf(content);
     std::string file(sizeof head + content.size(), '\0');
     std::memcpy(file.data(), &head, sizeof head);
-    std::memcpy(file.data() + sizeof head, content.data(), content.size());
+    std::transform(content.begin(), content.end(), file.begin() + sizeof head,
+                   [](std::byte value) { return std::to_integer<char>(value); });
     try {
         writeFileAtomically(fileOf(name, key), file);
         makeRoom();
