@@ -31,6 +31,11 @@ constexpr double kNight = 1e-8;
 // A picture may have the reference's step so many pixels off: where its tables blur an edge.
 constexpr int kPixelsOff = 6;
 
+constexpr int kWidth = 24;  // of pictures
+constexpr int kHeight = 64;
+constexpr double kWide = 60.0 * kDegree;  // their height
+constexpr double kNarrow = 1.0 * kDegree;
+
 /// Neighbours, one after the other.
 struct Strip {
     std::string name;
@@ -46,8 +51,8 @@ class Checker {
         makeStrips();
         checkRays();
         checkSunlight();
-        checkPicture(60.0 * kDegree, "wide picture");
-        checkPicture(1.0 * kDegree, "narrow picture");
+        checkPicture(kWide, "wide picture");
+        checkPicture(kNarrow, "narrow picture");
         return std::move(findings_);
     }
 
@@ -142,14 +147,22 @@ class Checker {
         settings.orders = seamOrders.count;
         settings.exactSecondOrder = false;
         settings.tables = coarseSkyTables();
-        exact_.emplace(setUp_.air, settings, rays_);
+        // The reference makes the tables that these need, and no others.
+        const SkyRay overhead[] = {
+            ray(0.0, setUp_.sunElevation, 0.0),
+            ray(std::max(horizon() - 2.0 * kDegree, 0.0), setUp_.sunElevation, 0.5 * kPi)};
+        std::vector<SkyRay> needed(std::begin(overhead), std::end(overhead));
+        needed.insert(needed.end(), rays_.begin(), rays_.end());
+        for (const double fov : {kWide, kNarrow}) {
+            const std::vector<SkyRay> more = pictureRays(pictureCamera(fov));
+            needed.insert(needed.end(), more.begin(), more.end());
+        }
+        exact_.emplace(setUp_.air, settings, needed);
         std::vector<glm::dvec3> expected(rays_.size());
         parallelFor(rays_.size(),
                     [&](std::size_t i) { expected[i] = total(exact_->along(rays_[i])); });
         // What lights a scene under that sky, be the picture turned away from it.
-        overhead_ = glm::max(total(exact_->along(ray(0.0, setUp_.sunElevation, 0.0))),
-                             total(exact_->along(ray(std::max(horizon() - 2.0 * kDegree, 0.0),
-                                                     setUp_.sunElevation, 0.5 * kPi))));
+        overhead_ = glm::max(total(exact_->along(overhead[0])), total(exact_->along(overhead[1])));
         for (const Strip& strip : strips_) {
             glm::dvec3 brightest(0.0);
             for (std::size_t i = strip.first; i < strip.first + strip.count; ++i) {
@@ -250,9 +263,37 @@ class Checker {
         }
     }
 
+    /// Looks at the horizon.
+    Camera pictureCamera(double verticalFov) const {
+        Camera camera;
+        const double down = 0.5 * kPi - horizon();
+        const glm::dvec3 ahead(std::cos(down) * std::cos(setUp_.around), std::sin(down),
+                               std::cos(down) * std::sin(setUp_.around));
+        const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
+        camera.frame.worldFromLocal = glm::dmat3(right, glm::cross(right, ahead), -ahead);
+        camera.lens = PerspectiveLens{verticalFov, std::nullopt};
+        return camera;
+    }
+    /// Through the pixels' centres, rows from the top.
+    std::vector<SkyRay> pictureRays(const Camera& camera) const {
+        const glm::dvec2 half = viewHalfExtent(camera, kWidth, kHeight);
+        const glm::dvec3 towardsSun(std::cos(setUp_.sunElevation), std::sin(setUp_.sunElevation),
+                                    0.0);
+        std::vector<SkyRay> rays;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const glm::dvec3 direction = glm::normalize(
+                    camera.frame.forward() +
+                    ((2.0 * x + 1.0) / kWidth - 1.0) * half.x * camera.frame.right() +
+                    (1.0 - (2.0 * y + 1.0) / kHeight) * half.y * camera.frame.up());
+                rays.push_back({setUp_.heightMetres, direction.y, towardsSun.y,
+                                glm::dot(direction, towardsSun)});
+            }
+        }
+        return rays;
+    }
+
     void checkPicture(double verticalFov, const std::string& name) {
-        constexpr int kWidth = 24;
-        constexpr int kHeight = 64;
         FrameSettings settings;
         settings.width = kWidth;
         settings.height = kHeight;
@@ -265,13 +306,7 @@ class Checker {
         sky.altitudeMetres = setUp_.heightMetres;
         const double elevation = setUp_.sunElevation;
         sky.towardsSun = {std::cos(elevation), std::sin(elevation), 0.0};
-        Camera camera;
-        const double down = 0.5 * kPi - horizon();
-        const glm::dvec3 ahead(std::cos(down) * std::cos(setUp_.around), std::sin(down),
-                               std::cos(down) * std::sin(setUp_.around));
-        const glm::dvec3 right = glm::normalize(glm::cross(ahead, glm::dvec3(0, 1, 0)));
-        camera.frame.worldFromLocal = glm::dmat3(right, glm::cross(right, ahead), -ahead);
-        camera.lens = PerspectiveLens{verticalFov, std::nullopt};
+        const Camera camera = pictureCamera(verticalFov);
         const Scene empty;
         Renderer renderer(empty);
         const FramePlan& plan = renderer.draw(camera, settings);
@@ -281,18 +316,8 @@ class Checker {
 
     void comparePicture(const FloatImage& image, const Camera& camera, const SkyDrawing& sky,
                         const std::string& name) {
-        const glm::dvec2 half = viewHalfExtent(camera, image.width, image.height);
-        std::vector<SkyRay> rays;
-        for (int y = 0; y < image.height; ++y) {
-            for (int x = 0; x < image.width; ++x) {
-                const glm::dvec3 direction = glm::normalize(
-                    camera.frame.forward() +
-                    ((2.0 * x + 1.0) / image.width - 1.0) * half.x * camera.frame.right() +
-                    (1.0 - (2.0 * y + 1.0) / image.height) * half.y * camera.frame.up());
-                rays.push_back({setUp_.heightMetres, direction.y, sky.towardsSun.y,
-                                glm::dot(direction, sky.towardsSun)});
-            }
-        }
+        const glm::dvec2 half = viewHalfExtent(camera, kWidth, kHeight);
+        const std::vector<SkyRay> rays = pictureRays(camera);
         const auto lux = sky.air.sunIlluminanceLux;
         std::vector<glm::dvec3> got;
         for (std::size_t i = 0; i < rays.size(); ++i) {
