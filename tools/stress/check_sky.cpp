@@ -20,14 +20,14 @@ constexpr double kStep = 0.01 * kDegree;  // between neighbouring rays and suns
 
 // Steps may be larger than the reference's by these shares of the brighter neighbour ...
 constexpr double kRayBound = 0.02;
-constexpr double kPictureBound = 0.1;
+constexpr double kPictureBound = 0.05;
 constexpr double kSunBound =
     0.01;  // of what the scene is lit with; and of a tenth of full sunlight
 // ... by this share of the brightest place of the strip or picture, beside which nobody sees it ...
 constexpr double kDarkRay = 1e-5;
 constexpr double kDarkPixel = 1e-3;  // a quarter of a code value of an 8-bit picture
-// ... and by about what the night sky has under half a moon, 1.3e-3 cd/m2 under this sun.
-constexpr double kNight = 1e-8;
+// ... and by about what a moonless night sky has, 5e-4 cd/m2 under this sun.
+constexpr double kNight = 4e-9;
 // A picture may have the reference's step so many pixels off: where its tables blur an edge.
 constexpr int kPixelsOff = 6;
 
