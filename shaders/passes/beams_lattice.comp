@@ -1,5 +1,5 @@
 // Beams, method `adaptive`, first step: the light at the lattice's points, and how far along the ray
-// the last beam reaches. An invocation is a point; sixteen make a tile.
+// the last beam reaches. An invocation is a point.
 #include "passes/beams_sheets.glsl"
 
 layout(local_size_x = kBeamGroup) in;

@@ -3,10 +3,11 @@
 #include "shared/language.h"
 SHARED_BEGIN
 
-const int kTileSide = 16;         // pixels
+const int kTileSide = 16;         // pixels; of tiles that are drawn as squares, each of them some work
+const int kLatticeTileSide = 8;   // of those whose points are gone through: fewer lamps that miss them
 const int kLatticeStep = 4;       // pixels from one point of the lattice to the next; a cell's side
 const int kFineStep = 2;          // the same in the cells that are looked at closer; a quad's side
-const int kTileCellsAcross = kTileSide / kLatticeStep;
+const int kTileCellsAcross = kLatticeTileSide / kLatticeStep;
 const int kTileCells = kTileCellsAcross * kTileCellsAcross;
 const int kCellQuadsAcross = kLatticeStep / kFineStep;
 const int kCellQuads = kCellQuadsAcross * kCellQuadsAcross;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace ribalta {
 namespace {
@@ -34,17 +36,18 @@ Range coveredBetween(const std::vector<glm::dvec2>& outline, double bottom, doub
     return range;
 }
 
-int tileOf(double pixel, int tiles) {
-    return int(std::clamp(std::floor(pixel / gpu::kTileSide), -1.0, double(tiles)));
+int tileOf(double pixel, int side, int tiles) {
+    return int(std::clamp(std::floor(pixel / side), -1.0, double(tiles)));
 }
 
 }  // namespace
 
-BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, int width,
-                        int height) {
-    const int across = (width + gpu::kTileSide - 1) / gpu::kTileSide;
-    const int down = (height + gpu::kTileSide - 1) / gpu::kTileSide;
+BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, int width, int height,
+                        int side) {
+    const int across = (width + side - 1) / side;
+    const int down = (height + side - 1) / side;
     BeamTiles result;
+    result.side = side;
     std::vector<std::vector<int>> row(static_cast<std::size_t>(across));
     for (int y = 0; y < down; ++y) {
         for (std::vector<int>& list : row) {
@@ -52,13 +55,13 @@ BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, in
         }
         for (std::size_t lamp = 0; lamp < outlines.size(); ++lamp) {
             // Half a pixel more on each side: an outline thinner than a pixel is still seen.
-            const Range range = coveredBetween(outlines[lamp], y * gpu::kTileSide - 0.5,
-                                               (y + 1) * gpu::kTileSide + 0.5);
+            const Range range =
+                coveredBetween(outlines[lamp], y * side - 0.5, (y + 1) * side + 0.5);
             if (!(range.low <= range.high)) {
                 continue;
             }
-            const int first = std::max(0, tileOf(range.low - 0.5, across));
-            const int last = std::min(across - 1, tileOf(range.high + 0.5, across));
+            const int first = std::max(0, tileOf(range.low - 0.5, side, across));
+            const int last = std::min(across - 1, tileOf(range.high + 0.5, side, across));
             for (int x = first; x <= last; ++x) {
                 row[std::size_t(x)].push_back(int(lamp));
             }
@@ -77,18 +80,21 @@ BeamTiles makeBeamTiles(const std::vector<std::vector<glm::dvec2>>& outlines, in
 
 void markThinBeams(const std::vector<std::vector<glm::dvec2>>& outlines, int width, int height,
                    BeamTiles& tiles) {
-    const auto before = [](const gpu::BeamSquare& a, const gpu::BeamSquare& b) {
-        return std::pair(a.place.y, a.place.x) < std::pair(b.place.y, b.place.x);
-    };
-    const BeamTiles thin = makeBeamTiles(outlines, width, height);
+    // Also the tiles around it: what lies beside a thin beam hides as well between points.
+    const BeamTiles thin = makeBeamTiles(outlines, width, height, gpu::kTileSide);
+    std::set<std::pair<int, int>> places;
+    for (const gpu::BeamSquare& tile : thin.tiles) {
+        places.emplace(tile.place.x, tile.place.y);
+    }
     for (gpu::BeamSquare& tile : tiles.tiles) {
-        const bool marked = std::binary_search(thin.tiles.begin(), thin.tiles.end(), tile, before);
-        tile.detail.x = marked ? 1 : 0;
+        const glm::ivec2 first = glm::ivec2(tile.place) * tiles.side / gpu::kTileSide;
+        tile.detail.x = places.contains({first.x, first.y}) ? 1 : 0;
     }
 }
 
 BeamTiles oneLampEach(const BeamTiles& tiles) {
     BeamTiles result;
+    result.side = tiles.side;
     result.lamps = tiles.lamps;
     for (const gpu::BeamSquare& tile : tiles.tiles) {
         for (int i = 0; i < tile.place.w; ++i) {

@@ -218,7 +218,9 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
     work.phase = plan.settings.haze.phase.kind;
     work.separateOutput = plan.settings.beamsOutput;
     work.countRuns = plan.settings.countRuns;
-    work.tiles = makeBeamTiles(outlines, plan.settings.width, plan.settings.height);
+    work.tiles = makeBeamTiles(
+        outlines, plan.settings.width, plan.settings.height,
+        work.settings.method == BeamMethod::kAdaptive ? gpu::kLatticeTileSide : gpu::kTileSide);
     if (work.tiles.tiles.empty()) {
         return;
     }
@@ -366,8 +368,8 @@ std::vector<int> FramePlan::spotsDrawn() const {
 }
 
 int FramePlan::beamTilesTotal() const {
-    return ((settings.width + gpu::kTileSide - 1) / gpu::kTileSide) *
-           ((settings.height + gpu::kTileSide - 1) / gpu::kTileSide);
+    const int side = beams ? beams->tiles.side : gpu::kTileSide;
+    return ((settings.width + side - 1) / side) * ((settings.height + side - 1) / side);
 }
 
 int FramePlan::beamTilesDrawn() const {
@@ -394,9 +396,10 @@ std::uint64_t FramePlan::beamSamples() const {
                std::uint64_t(settings.height);
     }
     std::uint64_t pixelLamps = 0;
+    const int side = beams->tiles.side;
     for (const gpu::BeamSquare& tile : beams->tiles.tiles) {
-        const int across = std::min(gpu::kTileSide, settings.width - tile.place.x * gpu::kTileSide);
-        const int down = std::min(gpu::kTileSide, settings.height - tile.place.y * gpu::kTileSide);
+        const int across = std::min(side, settings.width - tile.place.x * side);
+        const int down = std::min(side, settings.height - tile.place.y * side);
         pixelLamps += std::uint64_t(across) * std::uint64_t(down) * std::uint64_t(tile.place.w);
     }
     return planes * pixelLamps;
