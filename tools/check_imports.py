@@ -24,7 +24,8 @@ MAY_INCLUDE = {
     "gl": {"base", "image"},
     "render": {"base", "image", "scene", "optics", "sky", "gl"},
     "measure": {"base", "image", "scene", "optics", "sky", "reference", "gl", "render"},
-    "viewer": {"base", "image", "scene", "optics", "sky", "gl", "render"},
+    "look": {"base", "image", "scene", "sky", "render"},
+    "viewer": {"base", "image", "scene", "optics", "sky", "gltf", "gl", "render", "look"},
 }
 # Shader mathematics and structs, compiled as C++ too.
 SHADER_FOLDERS = {"lib", "shared"}

@@ -3,12 +3,12 @@
 #include <chrono>
 #include <utility>
 
+#include "base/parse_json.h"
 #include "base/read_file.h"
 #include "gltf/check_extensions.h"
 #include "gltf/check_json.h"
 #include "gltf/check_nodes.h"
 #include "gltf/import.h"
-#include "gltf/parse_json.h"
 #include "gltf/parse_model.h"
 #include "gltf/read_buffers.h"
 #include "gltf/read_camera.h"
@@ -123,7 +123,7 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     const Container container = readContainer(readFile(path), import.file);
     watch.lap("read");
 
-    import.json = parseJson(container.json, import.file);
+    import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"});
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
     checkNodes(import.json, import.file, report);

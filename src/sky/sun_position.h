@@ -22,6 +22,8 @@ SunPlace sunPlace(double julianDay);
 struct SunInSky {
     double elevation = 0.0;  ///< of its centre above the mathematical horizon, radians
     double azimuth = 0.0;    ///< from north through east, radians, 0..2 pi
+
+    bool operator==(const SunInSky&) const = default;
 };
 
 /// `julianDay` in universal time; latitude north and longitude east of Greenwich in radians.

@@ -32,18 +32,16 @@ double parseWithUnit(const std::string& option, const std::string& text, const s
 
 }  // namespace
 
-BeamOptions::BeamOptions() : method(name(BeamSettings{}.method)) {}
-
 void BeamOptions::addTo(CLI::App& command) {
     command
         .add_option("--beams", method,
                     "how beams are drawn: adaptive (sheets within each beam at every fourth pixel "
                     "and wherever else the screen would show it), clipped (at every pixel), march "
                     "(even steps), planes (through the whole view, Pessoa 2007), or auto: what "
-                    "reaches --budget or --error on this machine in this view")
+                    "reaches --budget or --error on this machine in this view (default: " +
+                        std::string(name(BeamSettings{}.method)) + ")")
         ->type_name("METHOD")
-        ->check(CLI::IsMember(methodNames()).description(""))
-        ->capture_default_str();
+        ->check(CLI::IsMember(methodNames()).description(""));
     command
         .add_option("--planes", planes,
                     "sheets a beam, or planes of the view, 1..65536 (default: " +
@@ -79,15 +77,18 @@ void BeamOptions::addTo(CLI::App& command) {
                      "2007; needs --exposure EV100");
 }
 
-BeamSettings BeamOptions::parsed() const {
-    BeamSettings settings;
-    if (method != "auto") {
-        settings.method = beamMethodNamed(method).value();
-    } else if (planes || tolerance) {
+BeamSettings BeamOptions::parsed(const BeamSettings& otherwise) const {
+    BeamSettings settings = method ? BeamSettings{} : otherwise;
+    if (method == "auto" && (planes || tolerance)) {
         throw CLI::ValidationError("--beams", "auto chooses --planes and --tolerance itself");
     }
+    if (method && method != "auto") {
+        settings.method = beamMethodNamed(*method).value();
+    }
     settings.planes = planes.value_or(settings.planes);
-    settings.tolerance = tolerance;
+    if (tolerance) {
+        settings.tolerance = tolerance;
+    }
     settings.spacingMetres = spacingMetres;
     settings.eightBitBlending = eightBit;
     if (!cells.empty()) {

@@ -9,15 +9,14 @@ namespace ribalta {
 void HazeOptions::addTo(CLI::App& command) {
     command
         .add_option("--haze", haze,
-                    "SCATTERING[,ABSORPTION] of the haze in 1/m; 0 is clear air without beams")
-        ->type_name("S[,A]")
-        ->capture_default_str();
+                    "SCATTERING[,ABSORPTION] of the haze in 1/m; 0 is clear air without beams "
+                    "(default: 0.02)")
+        ->type_name("S[,A]");
     command
         .add_option("--phase", phase,
                     "phase function of the haze: gibbons, isotropic, rayleigh, hg:G, "
-                    "cornette-shanks:G, with -1 < G < 1")
-        ->type_name("NAME[:G]")
-        ->capture_default_str();
+                    "cornette-shanks:G, with -1 < G < 1 (default: gibbons)")
+        ->type_name("NAME[:G]");
     command
         .add_option("--K", k,
                     "factor of Gibbons' phase function (default: 1/(8 pi), which is physical)")
@@ -25,10 +24,14 @@ void HazeOptions::addTo(CLI::App& command) {
         ->check(expectPositive, "");
 }
 
-Haze HazeOptions::parsed() const {
-    Haze result;
-    parseHaze(haze, result);
-    parsePhase(phase, result.phase);
+Haze HazeOptions::parsed(const Haze& otherwise) const {
+    Haze result = otherwise;
+    if (haze) {
+        parseHaze(*haze, result);
+    }
+    if (phase) {
+        parsePhase(*phase, result.phase);
+    }
     result.phase.k = k.value_or(result.phase.k);
     if (k && result.phase.kind != PhaseFunction::Kind::kGibbons) {
         throw CLI::ValidationError("--K", "belongs to --phase gibbons");

@@ -14,14 +14,15 @@ namespace ribalta {
 
 /// The texts of --haze, --phase and --K. Must outlive the parsing of the command it is added to.
 struct HazeOptions {
-    std::string haze = "0.02";
-    std::string phase = "gibbons";
+    std::optional<std::string> haze;
+    std::optional<std::string> phase;
     std::optional<double> k;
 
     void addTo(CLI::App& command);
 
-    /// What they mean. Throws CLI::ValidationError that says what was expected.
-    Haze parsed() const;
+    /// What they mean; `otherwise` where they are not given. Throws CLI::ValidationError that says
+    /// what was expected.
+    Haze parsed(const Haze& otherwise = {}) const;
 };
 
 }  // namespace ribalta

@@ -39,21 +39,23 @@ void addCameraOption(CLI::App& command, std::optional<std::string>& camera) {
         ->type_name("NAME|INDEX");
 }
 
-void addSizeOption(CLI::App& command, std::string& size) {
-    command.add_option("--size", size, "size of the picture in pixels")
-        ->type_name("WxH")
-        ->capture_default_str();
+void addSizeOption(CLI::App& command, std::optional<std::string>& size) {
+    command.add_option("--size", size, "size of the picture in pixels (default: 1280x720)")
+        ->type_name("WxH");
 }
 
-void addAmbientOption(CLI::App& command, double& lux) {
-    command.add_option("--ambient", lux, "even light from all around in lux, 0..1e9")
+void addAmbientOption(CLI::App& command, std::optional<double>& lux) {
+    command.add_option("--ambient", lux, "even light from all around in lux, 0..1e9 (default: 1)")
         ->type_name("LUX")
-        ->check(expectLux, "")
-        ->capture_default_str();
+        ->check(expectLux, "");
 }
 
 PictureSize parseSize(const std::string& text) {
     return parsePair("--size", text, kMaxSide);
+}
+
+PictureSize parseSize(const std::optional<std::string>& text, const PictureSize& otherwise) {
+    return text ? parseSize(*text) : otherwise;
 }
 
 PictureSize parseCells(const std::string& text) {

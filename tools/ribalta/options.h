@@ -18,16 +18,18 @@ namespace ribalta {
 /// Options that several subcommands take. What they fill must outlive the parsing.
 void addSceneOption(CLI::App& command, std::string& scene);
 void addCameraOption(CLI::App& command, std::optional<std::string>& camera);
-void addSizeOption(CLI::App& command, std::string& size);
-void addAmbientOption(CLI::App& command, double& lux);
+void addSizeOption(CLI::App& command, std::optional<std::string>& size);
+void addAmbientOption(CLI::App& command, std::optional<double>& lux);
 
 struct PictureSize {
-    int width;
-    int height;
+    int width = 1280;
+    int height = 720;
 };
 
 /// "1280x720"; each side 1..16384 pixels.
 PictureSize parseSize(const std::string& text);
+/// The same, and `otherwise` where there is no text.
+PictureSize parseSize(const std::optional<std::string>& text, const PictureSize& otherwise = {});
 
 /// "20x20": cells across and down, each 1..1024.
 PictureSize parseCells(const std::string& text);

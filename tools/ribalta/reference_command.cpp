@@ -35,10 +35,10 @@ struct ReferenceOptions {
     std::string scene;
     std::filesystem::path output;
     std::optional<std::string> camera;
-    std::string size = "1280x720";
+    std::optional<std::string> size;
     HazeOptions haze;
     SkyOptions sky;
-    double ambient = 1.0;
+    std::optional<double> ambient;
     std::string visibility = "geometry";
     double error = 1e-5;
     std::string layers;
@@ -120,7 +120,7 @@ void drawReferenceFile(const ReferenceOptions& options) {
     settings.width = size.width;
     settings.height = size.height;
     settings.haze = options.haze.parsed();
-    settings.ambientLux = options.ambient;
+    settings.ambientLux = options.ambient.value_or(settings.ambientLux);
     settings.relativeError = options.error;
     checkSky(options, settings.haze);
     const ReferenceLayers layers = layersFrom(options);

@@ -16,6 +16,7 @@
 #include "gl/counters.h"
 #include "haze_options.h"
 #include "load_scene.h"
+#include "look_options.h"
 #include "options.h"
 #include "output_checks.h"
 #include "render/renderer.h"
@@ -36,13 +37,14 @@ struct RenderOptions {
     std::string scene;
     std::vector<std::filesystem::path> outputs;
     std::optional<std::string> camera;
-    std::string size = "1280x720";
+    LookOptions look;
+    std::optional<std::string> size;
     HazeOptions haze;
     SkyOptions sky;
     CacheOptions cache;
     BeamOptions beams;
-    std::string exposure = "auto";
-    double ambient = 1.0;
+    std::optional<std::string> exposure;
+    std::optional<double> ambient;
     std::string layers;
     std::string stats;
     int repeat = 1;
@@ -51,15 +53,18 @@ struct RenderOptions {
     bool verbose = false;
 };
 
-FrameSettings settingsFrom(const RenderOptions& options, const RenderOutputs& outputs) {
+// What the options say, and `look` where they say nothing.
+FrameSettings settingsFrom(const RenderOptions& options, const Look& look,
+                           const RenderOutputs& outputs) {
     FrameSettings settings;
-    const PictureSize size = parseSize(options.size);
+    const PictureSize size = parseSize(
+        options.size, look.size ? PictureSize{look.size->x, look.size->y} : PictureSize{});
     settings.width = size.width;
     settings.height = size.height;
-    settings.haze = options.haze.parsed();
-    settings.beams = options.beams.parsed();
-    settings.ambientLux = options.ambient;
-    settings.ev100 = parseExposure(options.exposure);
+    settings.haze = options.haze.parsed(look.haze);
+    settings.beams = options.beams.parsed(look.beams);
+    settings.ambientLux = options.ambient.value_or(look.ambientLux);
+    settings.ev100 = options.exposure ? parseExposure(*options.exposure) : look.ev100;
     if (settings.beams.eightBitBlending && !settings.ev100) {
         throw CLI::ValidationError("--eight-bit", "needs an exposure: give --exposure EV100");
     }
@@ -168,24 +173,32 @@ void tellOfSky(const SkyWork& sky) {
     }
 }
 
-void render(const RenderOptions& options) {
+void render(RenderOptions& options) {
     setVerbose(options.verbose);
     const RenderOutputs outputs{options.outputs, parseLayers(options.layers), options.stats};
     if (outputs.files.empty() && outputs.stats.empty() && !options.verbose) {
         throw CLI::ValidationError("nothing to write",
                                    "give -o FILE.png, -o FILE.exr or --stats FILE.json");
     }
+    const Look look = options.look.read();
+    options.sky.fillFrom(look.sky);
     options.sky.check();
-    FrameSettings settings = settingsFrom(options, outputs);
+    FrameSettings settings = settingsFrom(options, look, outputs);
     checkOutputs(outputs);
 
-    const LoadedScene loaded = loadScene(options.scene);
+    LoadedScene loaded = loadScene(options.scene);
+    bringLook(look, loaded);
+    if (options.look.file) {
+        loaded.files.emplace_back(*options.look.file);
+    }
     for (const std::filesystem::path& output : outputs.files) {
         refuseReplacing(output, loaded.files);
     }
     settings.sky = options.sky.parsed(loaded.scene);
-    const Camera camera = chooseCamera(loaded.scene, options.camera,
-                                       double(settings.width) / double(settings.height));
+    const Camera camera = look.camera && !options.camera
+                              ? *look.camera
+                              : chooseCamera(loaded.scene, options.camera,
+                                             double(settings.width) / double(settings.height));
 
     Clock::time_point start = Clock::now();
     const Context context;
@@ -245,13 +258,14 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
                     "times")
         ->type_name("FILE")
         ->allow_extra_args(false);
+    options.look.addTo(command);
     addCameraOption(command, options.camera);
     addSizeOption(command, options.size);
     command
         .add_option("--exposure", options.exposure,
-                    "exposure of the .png as EV100, -60..60, or auto; 1 more halves its brightness")
-        ->type_name("EV100|auto")
-        ->capture_default_str();
+                    "exposure of the .png as EV100, -60..60, or auto; 1 more halves its brightness "
+                    "(default: auto)")
+        ->type_name("EV100|auto");
     addAmbientOption(command, options.ambient);
     command
         .add_option("--aov", options.layers,

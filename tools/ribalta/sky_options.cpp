@@ -51,27 +51,29 @@ std::string expectOrders(const std::string& text) {
 }  // namespace
 
 void SkyOptions::addTo(CLI::App& command) {
-    command
-        .add_option("--sky", sky,
-                    "sky, sun and the air in front of everything, in daylight's true brightness: "
-                    "none; auto, the renderer's own model; or one of the literature to hold it "
-                    "against, with its own faults: bruneton (precomputed tables of every order, "
-                    "Bruneton & Neyret 2008 as described in 2017), single (their simplified "
-                    "variant: light scattered once), chapman (no tables: Schuler's form of "
-                    "Chapman's function, without haze)")
-        ->type_name("none|auto|bruneton|single|chapman")
-        ->check(
-            [](const std::string& text) {
-                for (const char* known : kSkies) {
-                    if (text == known) {
-                        return std::string();
+    skyOption_ =
+        command
+            .add_option(
+                "--sky", sky,
+                "sky, sun and the air in front of everything, in daylight's true brightness: "
+                "none; auto, the renderer's own model; or one of the literature to hold it "
+                "against, with its own faults: bruneton (precomputed tables of every order, "
+                "Bruneton & Neyret 2008 as described in 2017), single (their simplified "
+                "variant: light scattered once), chapman (no tables: Schuler's form of "
+                "Chapman's function, without haze)")
+            ->type_name("none|auto|bruneton|single|chapman")
+            ->check(
+                [](const std::string& text) {
+                    for (const char* known : kSkies) {
+                        if (text == known) {
+                            return std::string();
+                        }
                     }
-                }
-                return "there is no sky '" + text +
-                       "'; there are: none, auto, bruneton, single, chapman";
-            },
-            "")
-        ->capture_default_str();
+                    return "there is no sky '" + text +
+                           "'; there are: none, auto, bruneton, single, chapman";
+                },
+                "")
+            ->capture_default_str();
     addPlaceTo(command);
     models.addDetailsTo(command);
 }
@@ -114,6 +116,26 @@ void SkyOptions::addPlaceTo(CLI::App& command) {
         ->type_name("COUNT")
         ->check(expectOrders, "");
     command.add_flag("--rayleigh-only", rayleighOnly, "with a sky: air without haze (Mie)");
+}
+
+void SkyOptions::fillFrom(const std::optional<SkyLook>& look) {
+    if (!look) {
+        return;
+    }
+    if (skyOption_->count() == 0) {
+        sky = look->model;
+    }
+    if (sky == "none") {
+        return;
+    }
+    if (look->sun && !sun && sunTime.given().empty()) {
+        constexpr double kDegrees = 180.0 / std::numbers::pi;
+        char text[80];
+        std::snprintf(text, sizeof text, "%.17g,%.17g", look->sun->elevation * kDegrees,
+                      look->sun->azimuth * kDegrees);
+        sun = text;
+    }
+    altitude = altitude.value_or(look->altitudeMetres);
 }
 
 void SkyOptions::check() const {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "look/look.h"
 #include "render/sky_settings.h"
 #include "scene/scene.h"
 #include "sky_model_options.h"
@@ -11,7 +12,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace ribalta {
 
@@ -31,6 +33,8 @@ struct SkyOptions {
     /// options of other models.
     void addReferenceTo(CLI::App& command);
 
+    /// Takes from a look's sky, where it has one, what was not given.
+    void fillFrom(const std::optional<SkyLook>& look);
     /// What they mean for a scene; none: no sky. Says on stderr which sun is taken where it was not
     /// said. Throws CLI::ValidationError that says what was expected.
     std::optional<SkyDrawing> parsed(const Scene& scene) const;
@@ -38,6 +42,8 @@ struct SkyOptions {
     void check() const;
 
   private:
+    CLI::Option* skyOption_ = nullptr;
+
     void addPlaceTo(CLI::App& command);
     DrawnSky model() const;
 };

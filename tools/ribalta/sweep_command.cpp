@@ -36,7 +36,7 @@ struct SweepOptions {
     std::string tolerance;
     std::string size = "1280x720";
     HazeOptions haze;
-    double ambient = 1.0;
+    std::optional<double> ambient;
     std::string visibility = "shadow-map";
     int repeat = 7;
     int warmup = 2;
@@ -59,7 +59,7 @@ SweepGrid gridFrom(const SweepOptions& options) {
     grid.methods = parseMethods(options.beams);
     grid.tolerances = parseTolerances(options.tolerance);
     grid.settings.haze = options.haze.parsed();
-    grid.settings.ambientLux = options.ambient;
+    grid.settings.ambientLux = options.ambient.value_or(grid.settings.ambientLux);
     grid.pessoa2007 = !options.preset.empty();
     grid.sizes = parseSizes(options.size);
     if (!grid.pessoa2007) {

@@ -1,13 +1,15 @@
-#include "gltf/parse_json.h"
+#include "base/parse_json.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <string>
 
-#include "gltf/bad_input.h"
-
-namespace ribalta::gltf {
+namespace ribalta {
 namespace {
+
+[[noreturn]] void refuse(const Place& place, const std::string& message) {
+    throw Error(ErrorKind::kBadInput, place, message);
+}
 
 Place lineOf(std::string_view text, std::size_t offset, const Place& file) {
     const std::string_view before = text.substr(0, std::min(offset, text.size()));
@@ -34,9 +36,9 @@ void checkDepth(std::string_view text, const Place& file) {
             inString = true;
         } else if (c == '{' || c == '[') {
             if (++depth > kMaxJsonDepth) {
-                badInput(lineOf(text, i + 1, file), "JSON is nested deeper than " +
-                                                        std::to_string(kMaxJsonDepth) +
-                                                        " levels; remove such extras");
+                refuse(lineOf(text, i + 1, file), "JSON is nested deeper than " +
+                                                      std::to_string(kMaxJsonDepth) +
+                                                      " levels; remove such extras");
             }
         } else if (c == '}' || c == ']') {
             --depth;
@@ -55,21 +57,21 @@ std::string parserReason(const nlohmann::json::exception& error) {
 
 }  // namespace
 
-nlohmann::json parseJson(std::string_view text, const Place& file) {
+nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind) {
     checkDepth(text, file);
+    const std::string cure = "; " + std::string(kind.cure);
     nlohmann::json json;
     try {
         json = nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
-        badInput(lineOf(text, error.byte, file),
-                 "is not valid JSON: " + parserReason(error) + "; export the file again");
+        refuse(lineOf(text, error.byte, file), "is not valid JSON: " + parserReason(error) + cure);
     } catch (const nlohmann::json::exception& error) {
-        badInput(file, "is not valid JSON: " + parserReason(error) + "; export the file again");
+        refuse(file, "is not valid JSON: " + parserReason(error) + cure);
     }
     if (!json.is_object()) {
-        badInput(file, "holds JSON, but no object; expected a glTF");
+        refuse(file, "holds JSON, but no object; expected " + std::string(kind.what));
     }
     return json;
 }
 
-}  // namespace ribalta::gltf
+}  // namespace ribalta

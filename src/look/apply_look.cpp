@@ -1,0 +1,158 @@
+#include "look/apply_look.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/read_file.h"
+#include "image/read_image.h"
+
+namespace ribalta {
+namespace {
+
+const LampChange* changeOf(const std::vector<LampChange>& changes, const LampId& lamp) {
+    const auto found = std::find_if(changes.begin(), changes.end(),
+                                    [&](const LampChange& change) { return lamp.is(change); });
+    return found == changes.end() ? nullptr : &*found;
+}
+
+void changeSpot(const LampChange& change, LookLightMaps& lightMaps, Scene& scene, SpotLight& spot) {
+    spot.intensityCandela = change.intensity.value_or(spot.intensityCandela);
+    spot.color = change.color.value_or(spot.color);
+    spot.frame = change.frame.value_or(spot.frame);
+    spot.outerConeAngle = change.outerConeAngle.value_or(spot.outerConeAngle);
+    spot.innerConeAngle =
+        std::min(change.innerConeAngle.value_or(spot.innerConeAngle), spot.outerConeAngle);
+    if (change.lightMap.file && change.lightMap.file->empty()) {
+        spot.lightMap.reset();
+    } else if (change.lightMap.file) {
+        const int image = lightMaps.use(*change.lightMap.file, scene);
+        spot.lightMap = LightMap{image, spot.lightMap ? spot.lightMap->rotationRadians : 0.0};
+    }
+    if (spot.lightMap && change.lightMap.rotationRadians) {
+        spot.lightMap->rotationRadians = *change.lightMap.rotationRadians;
+    }
+}
+
+void change(const LampId& lamp, const LampChange& change, LookLightMaps& lightMaps, Scene& scene) {
+    const auto index = std::size_t(lamp.index);
+    if (lamp.kind == LampId::Kind::kSpot) {
+        changeSpot(change, lightMaps, scene, scene.spotLights[index]);
+    } else if (lamp.kind == LampId::Kind::kPoint) {
+        PointLight& point = scene.pointLights[index];
+        point.intensityCandela = change.intensity.value_or(point.intensityCandela);
+        point.color = change.color.value_or(point.color);
+        point.position = change.frame ? change.frame->position : point.position;
+    } else {
+        DirectionalLight& light = scene.directionalLights[index];
+        light.illuminanceLux = change.intensity.value_or(light.illuminanceLux);
+        light.color = change.color.value_or(light.color);
+        light.direction = change.frame ? change.frame->forward() : light.direction;
+    }
+}
+
+void putOut(const LampId& lamp, Scene& scene) {
+    const auto index = std::size_t(lamp.index);
+    if (lamp.kind == LampId::Kind::kSpot) {
+        scene.spotLights[index].intensityCandela = 0.0;
+    } else if (lamp.kind == LampId::Kind::kPoint) {
+        scene.pointLights[index].intensityCandela = 0.0;
+    } else {
+        scene.directionalLights[index].illuminanceLux = 0.0;
+    }
+}
+
+}  // namespace
+
+bool LampChange::isIdle() const {
+    LampChange idle;
+    idle.name = name;
+    idle.number = number;
+    return *this == idle;
+}
+
+std::vector<LampId> lampsOf(const Scene& scene) {
+    std::vector<LampId> lamps;
+    std::map<std::string, int> count;
+    const auto add = [&](LampId::Kind kind, const auto& list) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            lamps.push_back({kind, int(i), list[i].name, count[list[i].name]++});
+        }
+    };
+    add(LampId::Kind::kSpot, scene.spotLights);
+    add(LampId::Kind::kPoint, scene.pointLights);
+    add(LampId::Kind::kDirectional, scene.directionalLights);
+    return lamps;
+}
+
+double intensityOf(const Scene& scene, const LampId& lamp) {
+    const auto index = std::size_t(lamp.index);
+    switch (lamp.kind) {
+        case LampId::Kind::kSpot:
+            return scene.spotLights[index].intensityCandela;
+        case LampId::Kind::kPoint:
+            return scene.pointLights[index].intensityCandela;
+        case LampId::Kind::kDirectional:
+            return scene.directionalLights[index].illuminanceLux;
+    }
+    return 0.0;
+}
+
+int LookLightMaps::use(const std::filesystem::path& file, Scene& scene) {
+    if (const auto found = images_.find(file); found != images_.end()) {
+        return found->second;
+    }
+    Image image = decodeImage(readFile(file), Place{file.string(), ""});
+    image.name = file.filename().string();
+    scene.images.push_back(std::move(image));
+    const auto index = int(scene.images.size()) - 1;
+    images_.emplace(file, index);
+    return index;
+}
+
+void LookLightMaps::forget(const std::filesystem::path& file) {
+    images_.erase(file);
+}
+
+std::vector<std::filesystem::path> LookLightMaps::files() const {
+    std::vector<std::filesystem::path> files;
+    for (const auto& [file, image] : images_) {
+        files.push_back(file);
+    }
+    return files;
+}
+
+void applyLamps(const std::vector<LampChange>& changes, LookLightMaps& lightMaps, Scene& scene) {
+    const std::vector<LampId> lamps = lampsOf(scene);
+    const bool anySolo = std::any_of(lamps.begin(), lamps.end(), [&](const LampId& lamp) {
+        const LampChange* found = changeOf(changes, lamp);
+        return found != nullptr && found->solo;
+    });
+    for (const LampId& lamp : lamps) {
+        const LampChange* found = changeOf(changes, lamp);
+        if (found != nullptr) {
+            change(lamp, *found, lightMaps, scene);
+        }
+        const bool isOff = found != nullptr && found->off;
+        const bool isSolo = found != nullptr && found->solo;
+        if (isOff || (anySolo && !isSolo)) {
+            putOut(lamp, scene);
+        }
+    }
+}
+
+std::vector<std::string> lampsNotThere(const std::vector<LampChange>& changes, const Scene& scene) {
+    const std::vector<LampId> lamps = lampsOf(scene);
+    std::vector<std::string> missing;
+    for (const LampChange& change : changes) {
+        const bool there = std::any_of(lamps.begin(), lamps.end(),
+                                       [&](const LampId& lamp) { return lamp.is(change); });
+        if (!there) {
+            missing.push_back(change.number == 0 ? change.name
+                                                 : change.name + " (number " +
+                                                       std::to_string(change.number) + ")");
+        }
+    }
+    return missing;
+}
+
+}  // namespace ribalta

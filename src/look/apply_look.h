@@ -1,0 +1,54 @@
+// A look brought to a scene: lamps are found by name, light maps are read.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "look/look.h"
+#include "scene/scene.h"
+
+namespace ribalta {
+
+/// A lamp of a scene, whatever its kind, and the name that looks know it by.
+struct LampId {
+    enum class Kind { kSpot, kPoint, kDirectional };
+    Kind kind = Kind::kSpot;
+    int index = 0;  ///< into the scene's lamps of that kind
+    std::string name;
+    int number = 0;  ///< which of the lamps of that name, counted from 0
+
+    bool is(const LampChange& change) const {
+        return change.name == name && change.number == number;
+    }
+};
+
+/// All lamps: spots, then point lights, then directional ones.
+std::vector<LampId> lampsOf(const Scene& scene);
+
+/// What it gives, in candela, or in lux where it is directional.
+double intensityOf(const Scene& scene, const LampId& lamp);
+
+/// Pictures that looks give to lamps; each file is read once and becomes an image of the scene.
+class LookLightMaps {
+  public:
+    /// Index into the scene's images. Throws Error(kBadInput) that names the file.
+    int use(const std::filesystem::path& file, Scene& scene);
+    /// Forgets a file, so that its next use reads it anew, into an image of its own.
+    void forget(const std::filesystem::path& file);
+    /// The files in use.
+    std::vector<std::filesystem::path> files() const;
+
+  private:
+    std::map<std::filesystem::path, int> images_;
+};
+
+/// Changes the scene's lamps; to be called anew from the scene as it was loaded or posed. Throws
+/// Error(kBadInput) where a light map cannot be read; the lamps before it are changed then.
+void applyLamps(const std::vector<LampChange>& changes, LookLightMaps& lightMaps, Scene& scene);
+
+/// The changes whose lamp the scene does not have, as "name" or "name (number 2)".
+std::vector<std::string> lampsNotThere(const std::vector<LampChange>& changes, const Scene& scene);
+
+}  // namespace ribalta

@@ -1,0 +1,151 @@
+// A look brought to a scene: lamps by name, light maps by file, and what is not there.
+#include "look/apply_look.h"
+
+#include <gtest/gtest.h>
+
+#include "support/expect_error.h"
+#include "support/make_png.h"
+#include "support/test_folder.h"
+
+namespace ribalta {
+namespace {
+
+using test::expectError;
+using test::TestFolder;
+
+// Spots "a", "b", "a"; a point light "a", a directional one "sun".
+Scene makeScene() {
+    Scene scene;
+    for (const char* name : {"a", "b", "a"}) {
+        SpotLight spot;
+        spot.name = name;
+        spot.intensityCandela = 10.0;
+        scene.spotLights.push_back(spot);
+    }
+    scene.pointLights.emplace_back();
+    scene.pointLights.back().name = "a";
+    scene.pointLights.back().intensityCandela = 10.0;
+    scene.directionalLights.emplace_back();
+    scene.directionalLights.back().name = "sun";
+    scene.directionalLights.back().illuminanceLux = 10.0;
+    return scene;
+}
+
+LampChange changeOf(const std::string& name, int number = 0) {
+    LampChange change;
+    change.name = name;
+    change.number = number;
+    return change;
+}
+
+std::vector<double> intensities(const Scene& scene) {
+    std::vector<double> list;
+    for (const LampId& lamp : lampsOf(scene)) {
+        list.push_back(intensityOf(scene, lamp));
+    }
+    return list;
+}
+
+Scene applied(const std::vector<LampChange>& changes) {
+    Scene scene = makeScene();
+    LookLightMaps lightMaps;
+    applyLamps(changes, lightMaps, scene);
+    return scene;
+}
+
+TEST(ApplyLamps, FindsLampsOfOneNameByTheirNumber) {
+    std::vector<LampChange> changes = {changeOf("a", 1), changeOf("a", 2), changeOf("sun")};
+    changes[0].intensity = 1.0;
+    changes[1].intensity = 2.0;
+    changes[2].intensity = 3.0;
+    EXPECT_EQ(intensities(applied(changes)), (std::vector<double>{10, 10, 1, 2, 3}));
+}
+
+TEST(ApplyLamps, OffAndSolo) {
+    std::vector<LampChange> changes = {changeOf("b"), changeOf("sun")};
+    changes[0].off = true;
+    EXPECT_EQ(intensities(applied(changes)), (std::vector<double>{10, 0, 10, 10, 10}));
+    changes[1].solo = true;
+    EXPECT_EQ(intensities(applied(changes)), (std::vector<double>{0, 0, 0, 0, 10}));
+    changes[0].solo = true;  // but off
+    EXPECT_EQ(intensities(applied(changes)), (std::vector<double>{0, 0, 0, 0, 10}));
+}
+
+TEST(ApplyLamps, SoloOfALampThatIsNotThereDarkensNothing) {
+    std::vector<LampChange> changes = {changeOf("nobody")};
+    changes[0].solo = true;
+    EXPECT_EQ(intensities(applied(changes)), (std::vector<double>{10, 10, 10, 10, 10}));
+    EXPECT_EQ(lampsNotThere(changes, makeScene()), (std::vector<std::string>{"nobody"}));
+    EXPECT_EQ(lampsNotThere({changeOf("a", 3)}, makeScene()),
+              (std::vector<std::string>{"a (number 3)"}));
+}
+
+TEST(ApplyLamps, TheInnerConeStaysWithinTheOuter) {
+    std::vector<LampChange> changes = {changeOf("b")};
+    changes[0].innerConeAngle = 0.5;
+    changes[0].outerConeAngle = 0.3;
+    const SpotLight spot = applied(changes).spotLights[1];
+    EXPECT_EQ(spot.outerConeAngle, 0.3);
+    EXPECT_EQ(spot.innerConeAngle, 0.3);
+}
+
+TEST(ApplyLamps, AFrameTakesTheSceneSPlace) {
+    std::vector<LampChange> changes = {changeOf("b"), changeOf("a", 2), changeOf("sun")};
+    const Frame frame = lookAt({1, 2, 3}, {4, 0, 3});
+    for (LampChange& change : changes) {
+        change.frame = frame;
+    }
+    const Scene scene = applied(changes);
+    EXPECT_EQ(scene.spotLights[1].frame, frame);
+    EXPECT_EQ(scene.pointLights[0].position, frame.position);
+    EXPECT_EQ(scene.directionalLights[0].direction, frame.forward());
+}
+
+TEST(ApplyLamps, LightMapsAreReadOnceAndTakenAway) {
+    const TestFolder folder;
+    test::PngParts grey{2, 2, 8, 0};
+    grey.rows = {std::string("\0\xff", 2), std::string("\xff\0", 2)};
+    const auto file = folder.write("map.png", test::makePng(grey));
+    Scene scene = makeScene();
+    scene.images.emplace_back();
+    scene.spotLights[0].lightMap = LightMap{0, 0.5};
+    const Scene before = scene;
+    std::vector<LampChange> changes = {changeOf("a", 0), changeOf("b"), changeOf("a", 1)};
+    for (LampChange& change : changes) {
+        change.lightMap.file = file;
+    }
+    changes[1].lightMap.rotationRadians = 1.0;
+    LookLightMaps lightMaps;
+    applyLamps(changes, lightMaps, scene);
+    applyLamps(changes, lightMaps, scene);
+    ASSERT_EQ(scene.images.size(), 2U);
+    EXPECT_EQ(scene.images[1].width, 2);
+    EXPECT_EQ(scene.spotLights[0].lightMap, (LightMap{1, 0.5}));
+    EXPECT_EQ(scene.spotLights[1].lightMap, (LightMap{1, 1.0}));
+    EXPECT_EQ(lightMaps.files(), std::vector<std::filesystem::path>{file});
+
+    changes[0].lightMap.file.emplace();
+    scene.spotLights = before.spotLights;
+    applyLamps(changes, lightMaps, scene);
+    EXPECT_FALSE(scene.spotLights[0].lightMap);
+}
+
+TEST(ApplyLamps, ALightMapThatCannotBeReadIsNamed) {
+    const TestFolder folder;
+    folder.write("broken.png", "no picture");
+    for (const char* file : {"broken.png", "missing.png"}) {
+        std::vector<LampChange> changes = {changeOf("b")};
+        changes[0].lightMap.file = folder / file;
+        expectError(ErrorKind::kBadInput, {file}, [&] { applied(changes); });
+    }
+}
+
+TEST(LampChange, KnowsWhetherItChangesAnything) {
+    LampChange change = changeOf("a", 3);
+    EXPECT_TRUE(change.isIdle());
+    change.solo = true;
+    EXPECT_FALSE(change.isIdle());
+}
+
+}  // namespace
+}  // namespace ribalta
