@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "gl/debug_output.h"
+#include "gl/prepare_context.h"
 
 namespace ribalta {
 
@@ -140,9 +140,7 @@ Context::Context() {
     software_ = renderer_.find("llvmpipe") != std::string::npos ||
                 renderer_.find("softpipe") != std::string::npos ||
                 renderer_.find("swrast") != std::string::npos;
-    installDebugOutput();
-    // The same depth on both sides of the projection: 0..1, so that reversed depth keeps its bits.
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    prepareContext();
 }
 
 Context::~Context() = default;

@@ -55,6 +55,7 @@ struct SkyLook {
 struct Look {
     std::string scene;               ///< name of the file that it was made for
     std::optional<Camera> camera;    ///< none: the scene's first, or one that frames it
+    std::vector<Camera> bookmarks;   ///< views of one's own, by name
     std::optional<glm::ivec2> size;  ///< pixels
     std::vector<LampChange> lamps;
     Haze haze;

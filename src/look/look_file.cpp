@@ -377,6 +377,9 @@ Look readLook(const std::filesystem::path& path) {
     if (std::optional<JsonObject> camera = object.object("camera")) {
         look.camera = readCameraOf(*camera);
     }
+    for (JsonObject& bookmark : object.objects("bookmarks")) {
+        look.bookmarks.push_back(readCameraOf(bookmark));
+    }
     if (const auto size = object.numbers("size", 2, 1.0, kLongestSide)) {
         look.size = glm::ivec2((*size)[0], (*size)[1]);
     }
@@ -405,6 +408,9 @@ void writeLook(const Look& look, const std::filesystem::path& path) {
     json["scene"] = look.scene;
     if (look.camera) {
         json["camera"] = writeCameraOf(*look.camera);
+    }
+    for (const Camera& bookmark : look.bookmarks) {
+        json["bookmarks"].push_back(writeCameraOf(bookmark));
     }
     if (look.size) {
         json["size"] = {look.size->x, look.size->y};

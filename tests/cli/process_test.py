@@ -27,7 +27,8 @@ class Libraries(CommandTest):
         _, text = self.libraries_of("--help")
         for name in ["OpenImageIO", "ribalta_image_io", "libEGL", "libOpenGL", "LLVM"]:
             self.assertNotIn(name, text)
-        self.assertLess(text.count("calling init"), 15)
+        # GLFW brings those of X11.
+        self.assertLess(text.count("calling init"), 22)
 
     def test_inspecting_a_scene_without_images_opens_no_image_library(self):
         self.write_scene("floor.gltf", make_floor())

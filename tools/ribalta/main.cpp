@@ -17,6 +17,7 @@
 #include "render_command.h"
 #include "sky_command.h"
 #include "sweep_command.h"
+#include "view_command.h"
 
 namespace {
 
@@ -73,6 +74,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(kExitCodes);
     ribalta::addRenderCommand(app);
+    ribalta::addViewCommand(app);
     ribalta::addInspectCommand(app);
     ribalta::addCompareCommand(app);
     ribalta::addSweepCommand(app);

@@ -25,6 +25,10 @@ Look fullLook(const TestFolder& folder) {
     look.camera->frame = lookAt({1.0, 2.5, 1.0 / 3.0}, {0.0, 1.0, -4.0});
     look.camera->lens = PerspectiveLens{0.7, 16.0 / 9.0};
     look.camera->farMetres = 100.0;
+    look.bookmarks.push_back(Camera{});
+    look.bookmarks[0].name = "from the pit";
+    look.bookmarks[0].lens = OrthographicLens{2.0, 1.0};
+    look.bookmarks[0].farMetres = 10.0;
     look.size = glm::ivec2(1280, 721);
     LampChange spot;
     spot.name = "Spot \"1\" \xc3\xa4";

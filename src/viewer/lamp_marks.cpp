@@ -1,0 +1,61 @@
+#include "viewer/lamp_marks.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ribalta {
+
+std::optional<Projected> project(const Camera& camera, glm::ivec2 size, const glm::dvec3& point) {
+    const glm::dvec3 view(viewFromWorld(camera) * glm::dvec4(point, 1.0));
+    if (-view.z < camera.nearMetres) {
+        return std::nullopt;
+    }
+    const glm::dvec4 clip = clipFromWorld(camera, size.x, size.y) * glm::dvec4(point, 1.0);
+    const glm::dvec2 half = 0.5 * glm::dvec2(size);
+    return Projected{half + half * glm::dvec2(clip.x, -clip.y) / clip.w, -view.z};
+}
+
+std::optional<glm::dvec3> placeOf(const Scene& scene, const LampId& lamp) {
+    const auto index = std::size_t(lamp.index);
+    switch (lamp.kind) {
+        case LampId::Kind::kSpot:
+            return scene.spotLights[index].frame.position;
+        case LampId::Kind::kPoint:
+            return scene.pointLights[index].position;
+        case LampId::Kind::kDirectional:
+            break;
+    }
+    return std::nullopt;
+}
+
+std::optional<glm::dvec3> aimOf(const Scene& scene, const LampId& lamp, const Bounds& bounds) {
+    if (lamp.kind != LampId::Kind::kSpot) {
+        return std::nullopt;
+    }
+    const Frame& frame = scene.spotLights[std::size_t(lamp.index)].frame;
+    const glm::dvec3 ahead = frame.forward();
+    const double size = bounds.isEmpty() ? 5.0 : glm::length(bounds.halfSize());
+    double metres = size;
+    if (!bounds.isEmpty() && ahead.y < 0.0 && frame.position.y > bounds.low.y) {
+        metres = std::min(4.0 * size, (bounds.low.y - frame.position.y) / ahead.y);
+    }
+    return frame.position + metres * ahead;
+}
+
+int lampAt(const StageView& stage, const Camera& camera, glm::ivec2 size, glm::dvec2 at,
+           double reach) {
+    int nearest = -1;
+    double nearestDepth = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < stage.lamps().size(); ++i) {
+        const std::optional<glm::dvec3> place = placeOf(stage.scene(), stage.lamps()[i]);
+        const std::optional<Projected> mark =
+            place ? project(camera, size, *place) : std::optional<Projected>();
+        if (mark && glm::distance(mark->at, at) <= reach && mark->depth < nearestDepth) {
+            nearest = int(i);
+            nearestDepth = mark->depth;
+        }
+    }
+    return nearest;
+}
+
+}  // namespace ribalta

@@ -1,0 +1,330 @@
+#include "viewer/panels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_stdlib.h>
+
+#include "look/look_settings.h"
+
+namespace ribalta {
+namespace {
+
+constexpr float kPanelWidth = 330.0F;
+constexpr float kMargin = 10.0F;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+struct KeyHelp {
+    const char* key;
+    const char* what;
+};
+constexpr std::array<KeyHelp, 19> kKeys = {{{"left drag", "turn around the middle"},
+                                            {"Shift + left, middle drag", "move sideways"},
+                                            {"right drag, wheel", "nearer, farther"},
+                                            {"Ctrl + left drag", "look around"},
+                                            {"W A S D, Q E", "walk, down and up; Shift: faster"},
+                                            {"click", "choose a lamp"},
+                                            {"drag the cross", "aim the chosen lamp"},
+                                            {"F", "frame the chosen lamp, or everything"},
+                                            {"Enter", "the scene's own camera"},
+                                            {"C", "next camera"},
+                                            {"O, Shift + O", "chosen lamp on or off; solo"},
+                                            {"+, -", "chosen lamp wider, narrower"},
+                                            {"L", "marks of lamps"},
+                                            {"P", "panels"},
+                                            {"Z", "statistics"},
+                                            {"F12", "save the picture"},
+                                            {"Ctrl + S, Ctrl + O", "save, load the look"},
+                                            {"H", "this help"},
+                                            {"Esc", "close"}}};
+
+void choose(ViewerState& state, const StageView& stage, const Camera& camera) {
+    state.view = viewpointOf(camera, stage.bounds());
+}
+
+void drawCameras(ViewerState& state, const StageView& stage) {
+    const Camera& now = state.view.camera;
+    int id = 0;
+    for (const Camera& camera : stage.scene().cameras) {
+        ImGui::PushID(id++);
+        const std::string label = camera.name.empty() ? "(no name)" : camera.name;
+        if (ImGui::Selectable(label.c_str(), camera == now)) {
+            choose(state, stage, camera);
+        }
+        ImGui::PopID();
+    }
+    int removed = -1;
+    for (std::size_t i = 0; i < state.look.bookmarks.size(); ++i) {
+        ImGui::PushID(id++);
+        if (ImGui::SmallButton("x")) {
+            removed = int(i);
+        }
+        ImGui::SameLine();
+        const Camera& bookmark = state.look.bookmarks[i];
+        if (ImGui::Selectable(bookmark.name.c_str(), bookmark == now)) {
+            choose(state, stage, bookmark);
+        }
+        ImGui::PopID();
+    }
+    if (removed >= 0) {
+        state.look.bookmarks.erase(state.look.bookmarks.begin() + removed);
+    }
+    if (ImGui::Button("keep this view")) {
+        Camera bookmark = now;
+        bookmark.name = "view " + std::to_string(state.look.bookmarks.size() + 1);
+        state.look.bookmarks.push_back(std::move(bookmark));
+    }
+    if (auto* lens = std::get_if<PerspectiveLens>(&state.view.camera.lens)) {
+        auto degrees = float(lens->verticalFov * kDegrees);
+        if (ImGui::SliderFloat("angle", &degrees, 1.0F, 150.0F, "%.1f degrees",
+                               ImGuiSliderFlags_AlwaysClamp)) {
+            lens->verticalFov = double(degrees) / kDegrees;
+        }
+    }
+}
+
+void drawLookPanel(ViewerState& state) {
+    std::string file = state.lookFile.string();
+    if (ImGui::InputText("file", &file)) {
+        state.lookFile = file;
+    }
+    if (ImGui::Button("save (Ctrl+S)")) {
+        state.requests.saveLook = true;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("load (Ctrl+O)")) {
+        state.requests.loadLook = true;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("picture (F12)")) {
+        state.requests.savePicture = true;
+    }
+}
+
+void drawStatistics(const PictureFacts& facts, const StageView& stage) {
+    const FramePlan& plan = stage.renderer().lastPlan();
+    ImGui::SetNextWindowPos(ImVec2(kMargin, kMargin));
+    ImGui::SetNextWindowBgAlpha(0.5F);
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+        ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::Begin("statistics", nullptr, kFlags);
+    if (facts.framesPerSecond > 0.0) {
+        ImGui::Text("%.0f fps", facts.framesPerSecond);
+    } else {
+        ImGui::Text(facts.isStill ? "still" : "refining");
+    }
+    ImGui::Text("%d x %d, %d sheets", facts.size.x, facts.size.y, facts.sheets);
+    ImGui::Text("lamps %d of %d",
+                int(plan.lamps.size() + plan.pointLights.size() + plan.directionalLights.size()),
+                int(stage.lamps().size()));
+    for (const PassTime& pass : facts.passes) {
+        ImGui::Text("%-12s %7.2f ms", pass.name.c_str(), pass.gpuMs);
+    }
+    if (facts.ev100) {
+        ImGui::Text("EV100 %.2f", *facts.ev100);
+    }
+    if (!facts.probe.empty()) {
+        ImGui::Text("%s", facts.probe.c_str());
+    }
+    ImGui::TextDisabled("%s", facts.renderer.c_str());
+    ImGui::End();
+}
+
+void drawHaze(Haze& haze) {
+    const double low = 0.0;
+    const double high = 2.0;
+    constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
+    ImGui::SliderScalar("scattering 1/m", ImGuiDataType_Double, &haze.scatteringPerMetre, &low,
+                        &high, "%.4f", kFlags);
+    ImGui::SliderScalar("absorption 1/m", ImGuiDataType_Double, &haze.absorptionPerMetre, &low,
+                        &high, "%.4f", kFlags);
+    using Kind = PhaseFunction::Kind;
+    constexpr std::array<Kind, 5> kKinds = {Kind::kGibbons, Kind::kIsotropic, Kind::kRayleigh,
+                                            Kind::kHenyeyGreenstein, Kind::kCornetteShanks};
+    const auto found = std::find(kKinds.begin(), kKinds.end(), haze.phase.kind);
+    auto chosen = int(found - kKinds.begin());
+    if (ImGui::Combo("phase", &chosen,
+                     "Gibbons\0isotropic\0Rayleigh\0Henyey-Greenstein\0Cornette-Shanks\0")) {
+        haze.phase.kind = kKinds[std::size_t(chosen)];
+        haze.phase.g = 0.0;
+    }
+    if (haze.phase.kind == Kind::kHenyeyGreenstein || haze.phase.kind == Kind::kCornetteShanks) {
+        const double back = -0.95;
+        const double ahead = 0.95;
+        ImGui::SliderScalar("g", ImGuiDataType_Double, &haze.phase.g, &back, &ahead, "%.2f",
+                            ImGuiSliderFlags_AlwaysClamp);
+    }
+}
+
+void drawQuality(BeamSettings& beams) {
+    const std::span<const BeamMethod> methods = allBeamMethods();
+    if (ImGui::BeginCombo("beams", std::string(name(beams.method)).c_str())) {
+        for (const BeamMethod method : methods) {
+            if (ImGui::Selectable(std::string(name(method)).c_str(), method == beams.method)) {
+                beams.method = method;
+                beams.tolerance.reset();
+            }
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::SliderInt("sheets", &beams.planes, 1, 256, "%d",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+}
+
+void drawExposure(ViewerState& state, const PictureFacts& facts) {
+    bool automatic = !state.look.ev100;
+    if (ImGui::Checkbox("automatic exposure", &automatic)) {
+        state.look.ev100 =
+            automatic ? std::nullopt : std::optional<double>(facts.ev100.value_or(8.0));
+    }
+    if (state.look.ev100) {
+        const double low = -10.0;
+        const double high = 24.0;
+        ImGui::SliderScalar("EV100", ImGuiDataType_Double, &*state.look.ev100, &low, &high, "%.2f",
+                            ImGuiSliderFlags_AlwaysClamp);
+    }
+    const double low = 0.0;
+    const double high = 1000.0;
+    ImGui::SliderScalar("ambient lx", ImGuiDataType_Double, &state.look.ambientLux, &low, &high,
+                        "%.3g", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+}
+
+void drawSky(ViewerState& state) {
+    constexpr std::array<const char*, 5> kNames = {"none", "auto", "bruneton", "single", "chapman"};
+    const std::string now = state.look.sky ? state.look.sky->model : "none";
+    if (ImGui::BeginCombo("sky", now.c_str())) {
+        for (const char* name : kNames) {
+            if (!ImGui::Selectable(name, now == name)) {
+                continue;
+            }
+            if (std::string(name) == "none") {
+                state.look.sky.reset();
+            } else {
+                SkyLook sky = state.look.sky.value_or(SkyLook{});
+                sky.model = name;
+                state.look.sky = sky;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    if (!state.look.sky) {
+        return;
+    }
+    SunInSky sun = state.look.sky->sun.value_or(sunOfNoLamp());
+    auto elevation = float(sun.elevation * kDegrees);
+    auto azimuth = float(sun.azimuth * kDegrees);
+    bool changed = ImGui::SliderFloat("sun's height", &elevation, -20.0F, 90.0F, "%.1f degrees",
+                                      ImGuiSliderFlags_AlwaysClamp);
+    changed |= ImGui::SliderFloat("azimuth", &azimuth, 0.0F, 360.0F, "%.1f degrees",
+                                  ImGuiSliderFlags_AlwaysClamp);
+    if (changed) {
+        state.look.sky->sun = SunInSky{double(elevation) / kDegrees, double(azimuth) / kDegrees};
+    }
+    const double low = 0.0;
+    const double high = 1e5;
+    ImGui::SliderScalar("altitude m", ImGuiDataType_Double, &state.look.sky->altitudeMetres, &low,
+                        &high, "%.0f", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+}
+
+}  // namespace
+
+void drawLightPanels(ViewerState& state, const PictureFacts& facts) {
+    if (ImGui::CollapsingHeader("Haze", ImGuiTreeNodeFlags_DefaultOpen)) {
+        drawHaze(state.look.haze);
+    }
+    if (ImGui::CollapsingHeader("Quality")) {
+        drawQuality(state.look.beams);
+    }
+    if (ImGui::CollapsingHeader("Exposure and sky")) {
+        drawExposure(state, facts);
+        drawSky(state);
+    }
+}
+
+void drawPanels(ViewerState& state, const StageView& stage, const PictureFacts& facts) {
+    if (state.showStatistics) {
+        drawStatistics(facts, stage);
+    }
+    if (!state.showPanels) {
+        return;
+    }
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(screen.x - kPanelWidth - kMargin, kMargin));
+    ImGui::SetNextWindowSize(ImVec2(kPanelWidth, std::max(100.0F, screen.y - 2.0F * kMargin)));
+    ImGui::SetNextWindowBgAlpha(0.85F);
+    ImGui::Begin("ribalta", nullptr,
+                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoTitleBar);
+    ImGui::PushItemWidth(0.58F * kPanelWidth);
+    if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) {
+        drawLookPanel(state);
+    }
+    if (ImGui::CollapsingHeader("Cameras", ImGuiTreeNodeFlags_DefaultOpen)) {
+        drawCameras(state, stage);
+    }
+    if (ImGui::CollapsingHeader("Lamps", ImGuiTreeNodeFlags_DefaultOpen)) {
+        drawLampList(state, stage);
+        drawLampPanel(state, stage);
+    }
+    drawLightPanels(state, facts);
+    ImGui::PopItemWidth();
+    ImGui::End();
+}
+
+void drawHelp(ViewerState& state) {
+    if (!state.showHelp) {
+        return;
+    }
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5F * screen.x, 0.5F * screen.y), ImGuiCond_Always,
+                            ImVec2(0.5F, 0.5F));
+    ImGui::Begin("Keys", &state.showHelp,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse);
+    if (ImGui::BeginTable("keys", 2)) {
+        for (const KeyHelp& line : kKeys) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(line.key);
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(line.what);
+        }
+        ImGui::EndTable();
+    }
+    ImGui::End();
+}
+
+void drawMessages(ViewerState& state, const std::string& busy) {
+    const auto now = std::chrono::steady_clock::now();
+    std::erase_if(state.messages,
+                  [&](const ViewerMessage& message) { return message.until < now; });
+    if (state.messages.empty() && busy.empty()) {
+        return;
+    }
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(kMargin, screen.y - kMargin), ImGuiCond_Always,
+                            ImVec2(0.0F, 1.0F));
+    ImGui::SetNextWindowBgAlpha(0.7F);
+    constexpr ImGuiWindowFlags kFlags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+        ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing;
+    ImGui::Begin("messages", nullptr, kFlags);
+    ImGui::PushTextWrapPos(std::max(200.0F, screen.x - kPanelWidth - 4.0F * kMargin));
+    if (!busy.empty()) {
+        ImGui::TextUnformatted(busy.c_str());
+    }
+    for (const ViewerMessage& message : state.messages) {
+        const ImVec4 color =
+            message.isError ? ImVec4(1.0F, 0.5F, 0.4F, 1.0F) : ImVec4(1.0F, 1.0F, 1.0F, 1.0F);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(message.text.c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+}
+
+}  // namespace ribalta

@@ -1,0 +1,77 @@
+#include "viewer/stage_view.h"
+
+#include <array>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace ribalta {
+namespace {
+
+Scene lampsAlone(const Scene& scene) {
+    Scene lamps;
+    lamps.spotLights = scene.spotLights;
+    lamps.pointLights = scene.pointLights;
+    lamps.directionalLights = scene.directionalLights;
+    return lamps;
+}
+
+}  // namespace
+
+StageView::StageView(LoadedScene loaded, std::filesystem::path path, const FileCache* cache)
+    : path_(std::move(path)),
+      loaded_(std::move(loaded)),
+      asLoaded_(lampsAlone(loaded_.scene)),
+      lamps_(lampsOf(loaded_.scene)),
+      bounds_(sceneBounds(loaded_.scene)),
+      renderer_(loaded_.scene, cache) {}
+
+std::vector<std::filesystem::path> StageView::files() const {
+    std::vector<std::filesystem::path> files = loaded_.files;
+    for (std::filesystem::path& file : lightMaps_.files()) {
+        files.push_back(std::move(file));
+    }
+    return files;
+}
+
+void StageView::bring(const Look& look) {
+    Scene& scene = loaded_.scene;
+    scene.spotLights = asLoaded_.spotLights;
+    scene.pointLights = asLoaded_.pointLights;
+    scene.directionalLights = asLoaded_.directionalLights;
+    applyLamps(look.lamps, lightMaps_, scene);
+}
+
+const FramePlan& StageView::draw(const Camera& camera, const FrameSettings& settings) {
+    const FramePlan& plan = renderer_.draw(camera, settings);
+    hasPicture_ = true;
+    return plan;
+}
+
+std::optional<glm::dvec3> StageView::surfaceAt(glm::ivec2 pixel) const {
+    if (!hasPicture_) {
+        return std::nullopt;
+    }
+    const FrameSettings& settings = renderer_.lastPlan().settings;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, renderer_.targets().surfaces.name());
+    float depth = 0.0F;
+    glReadPixels(pixel.x, pixel.y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    if (!(depth > 0.0F)) {
+        return std::nullopt;
+    }
+    const glm::dvec2 size(settings.width, settings.height);
+    const glm::dvec2 at = (glm::dvec2(pixel) + 0.5) / size * 2.0 - 1.0;
+    const glm::dmat4 worldFromClip =
+        glm::inverse(clipFromWorld(renderer_.lastPlan().camera, settings.width, settings.height));
+    const glm::dvec4 point = worldFromClip * glm::dvec4(at, double(depth), 1.0);
+    return glm::dvec3(point) / point.w;
+}
+
+glm::dvec3 StageView::lightAt(glm::ivec2 pixel) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, renderer_.targets().haze.name());
+    std::array<float, 3> color{};
+    glReadPixels(pixel.x, pixel.y, 1, 1, GL_RGB, GL_FLOAT, color.data());
+    return {color[0], color[1], color[2]};
+}
+
+}  // namespace ribalta

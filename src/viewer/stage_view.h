@@ -1,0 +1,66 @@
+// StageView: a scene with a look on it, and its picture. What the window shows; knows no window.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "base/file_cache.h"
+#include "gltf/load_gltf.h"
+#include "look/apply_look.h"
+#include "look/look.h"
+#include "render/renderer.h"
+
+namespace ribalta {
+
+class StageView {
+  public:
+    /// Uploads the scene. Needs a current context, now and whenever it draws. `cache` keeps the
+    /// sky's tables and may be null; it must outlive the view.
+    StageView(LoadedScene loaded, std::filesystem::path path, const FileCache* cache);
+    StageView(const StageView&) = delete;
+    StageView& operator=(const StageView&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    /// As the look leaves it.
+    const Scene& scene() const { return loaded_.scene; }
+    const Report& report() const { return loaded_.report; }
+    const std::vector<LampId>& lamps() const { return lamps_; }
+    const Bounds& bounds() const { return bounds_; }
+    /// The file, the pictures beside it, and those that the look gives to lamps.
+    std::vector<std::filesystem::path> files() const;
+    /// What the file itself says of a lamp, which a look may change.
+    double intensityInFile(const LampId& lamp) const { return intensityOf(asLoaded_, lamp); }
+
+    /// Brings the look's lamps to the scene. Throws Error(kBadInput) where a light map cannot be
+    /// read; the lamps are as the file has them then, but for those before it.
+    void bring(const Look& look);
+    /// Reads a light map of a look anew when it is next brought.
+    void forgetLightMap(const std::filesystem::path& file) { lightMaps_.forget(file); }
+
+    /// Draws, or keeps the picture where nothing changed.
+    const FramePlan& draw(const Camera& camera, const FrameSettings& settings);
+    const Renderer& renderer() const { return renderer_; }
+    /// Times of the passes of the last frame; waits for them.
+    std::vector<PassTime> takeTimes() { return renderer_.takeTimes(); }
+
+    /// Whether there is a frame to look at yet.
+    bool hasPicture() const { return hasPicture_; }
+    /// The point of a surface that is seen at a pixel of the last frame (from the lower left), in
+    /// world metres; none where nothing is hit, and without a frame. Waits for the GPU.
+    std::optional<glm::dvec3> surfaceAt(glm::ivec2 pixel) const;
+    /// Light of that pixel in cd/m2, by channel. Needs a frame.
+    glm::dvec3 lightAt(glm::ivec2 pixel) const;
+
+  private:
+    std::filesystem::path path_;
+    LoadedScene loaded_;
+    Scene asLoaded_;  ///< its lamps alone
+    std::vector<LampId> lamps_;
+    Bounds bounds_;
+    LookLightMaps lightMaps_;
+    Renderer renderer_;
+    bool hasPicture_ = false;
+};
+
+}  // namespace ribalta

@@ -1,0 +1,41 @@
+#include "viewer/viewer_state.h"
+
+#include <algorithm>
+
+#include "base/log.h"
+
+namespace ribalta {
+namespace {
+
+using std::chrono::seconds;
+using std::chrono::steady_clock;
+
+constexpr seconds kShown(5);
+constexpr seconds kErrorShown(15);
+
+}  // namespace
+
+void ViewerState::say(const std::string& text) {
+    logNote(text);
+    messages.push_back({text, false, steady_clock::now() + kShown});
+}
+
+void ViewerState::sayError(const std::string& text) {
+    logWarning(text);
+    messages.push_back({text, true, steady_clock::now() + kErrorShown});
+}
+
+LampChange& ViewerState::changeOf(const std::string& name, int number) {
+    const auto found = std::find_if(
+        look.lamps.begin(), look.lamps.end(),
+        [&](const LampChange& change) { return change.name == name && change.number == number; });
+    if (found != look.lamps.end()) {
+        return *found;
+    }
+    LampChange change;
+    change.name = name;
+    change.number = number;
+    return look.lamps.emplace_back(std::move(change));
+}
+
+}  // namespace ribalta

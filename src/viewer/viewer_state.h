@@ -1,0 +1,54 @@
+// ViewerState: what the window shows and what is being done in it, as plain data. Panels and keys
+// change it, the viewer carries it out.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "look/look.h"
+#include "viewer/navigate.h"
+
+namespace ribalta {
+
+/// A line that the window shows for a while.
+struct ViewerMessage {
+    std::string text;
+    bool isError = false;
+    std::chrono::steady_clock::time_point until;
+};
+
+/// What a person has asked for and the viewer has still to do.
+struct ViewerRequests {
+    bool savePicture = false;
+    bool saveLook = false;
+    bool loadLook = false;
+    bool reload = false;
+    bool quit = false;
+};
+
+struct ViewerState {
+    Look look;  ///< but for its camera, which is that of `view` when it is saved
+    Viewpoint view;
+    int selected = -1;  ///< into StageView::lamps()
+    bool showPanels = true;
+    bool showHelp = false;
+    bool showStatistics = true;
+    bool showLamps = true;
+    std::string lampFilter;
+    std::filesystem::path lookFile;
+    std::vector<ViewerMessage> messages;
+    ViewerRequests requests;
+
+    /// Shows a line for some seconds, errors for longer, and writes it to the log.
+    void say(const std::string& text);
+    void sayError(const std::string& text);
+
+    /// The look's change of the lamp that is known by that name and number; made where there is
+    /// none.
+    LampChange& changeOf(const std::string& name, int number);
+};
+
+}  // namespace ribalta
