@@ -3,6 +3,7 @@
 #include "gltf/bad_input.h"
 #include "gltf/import.h"
 #include "gltf/json_rules.h"
+#include "gltf/mend_animations.h"
 #include "gltf/mend_light.h"
 #include "gltf/where.h"
 
@@ -55,6 +56,7 @@ void checkJson(json& root, const Place& file, Report& report) {
         badInput(fault.place, fault.message + "; export the file again or mend it there");
     }
     checkLights(root, where, report);
+    mendAnimations(root, where, report);
 }
 
 }  // namespace ribalta::gltf

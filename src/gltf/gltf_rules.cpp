@@ -234,6 +234,20 @@ const JsonRule kLightRules[] = {
     {.key = "spot", .is = Is::kObject, .onFault = On::kRepair, .members = kSpotRules},
 };
 
+const JsonRule kAnimationSamplerRules[] = {
+    {.key = "input", .is = Is::kIndex, .required = true, .into = "accessors"},
+    {.key = "output", .is = Is::kIndex, .required = true, .into = "accessors"},
+    {.key = "interpolation", .is = Is::kString, .words = {"STEP", "LINEAR", "CUBICSPLINE"}},
+};
+const JsonRule kAnimationTargetRules[] = {
+    {.key = "node", .is = Is::kIndex, .into = "nodes"},
+    {.key = "path", .is = Is::kString, .required = true},
+};
+const JsonRule kAnimationChannelRules[] = {
+    {.key = "sampler", .is = Is::kInteger, .required = true, .low = 0},
+    {.key = "target", .is = Is::kObject, .required = true, .members = kAnimationTargetRules},
+};
+
 }  // namespace
 
 std::span<const JsonRule> gltfRules() {
@@ -242,6 +256,14 @@ std::span<const JsonRule> gltfRules() {
 
 std::span<const JsonRule> lightRules() {
     return kLightRules;
+}
+
+std::span<const JsonRule> animationSamplerRules() {
+    return kAnimationSamplerRules;
+}
+
+std::span<const JsonRule> animationChannelRules() {
+    return kAnimationChannelRules;
 }
 
 }  // namespace ribalta::gltf

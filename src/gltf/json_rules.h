@@ -64,4 +64,8 @@ void checkMembers(nlohmann::json& object, std::span<const JsonRule> rules, const
 std::span<const JsonRule> gltfRules();
 std::span<const JsonRule> lightRules();
 
+/// The rules of what stands in an animation's lists.
+std::span<const JsonRule> animationSamplerRules();
+std::span<const JsonRule> animationChannelRules();
+
 }  // namespace ribalta::gltf

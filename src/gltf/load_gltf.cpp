@@ -10,6 +10,7 @@
 #include "gltf/check_nodes.h"
 #include "gltf/import.h"
 #include "gltf/parse_model.h"
+#include "gltf/read_animations.h"
 #include "gltf/read_buffers.h"
 #include "gltf/read_camera.h"
 #include "gltf/read_container.h"
@@ -132,11 +133,15 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     reportUnread(import, report);
     NodeList list = readNodes(import, report);
     scene.name = std::move(list.sceneName);
-    scene.nodes = std::move(list.nodes);
     watch.lap("parse");
 
     import.buffers = readBuffers(import.json, import.file, import.folder, container.bin);
     watch.lap("buffers");
+
+    readAnimations(import, list, scene, report);
+    leaveOutVanished(list, scene.movers, import, report);
+    scene.nodes = std::move(list.nodes);
+    watch.lap("animations");
 
     const std::vector<std::size_t> meshes = loadMeshes(import, scene, report);
     reportDataOddities(import, meshes, report);

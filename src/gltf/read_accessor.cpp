@@ -209,6 +209,21 @@ std::vector<glm::vec<N, float>> readVectors(const Import& import, std::size_t in
 
 }  // namespace
 
+std::vector<float> readScalars(const Import& import, std::size_t index) {
+    const tinygltf::Accessor& accessor = import.model.accessors.at(index);
+    if (accessor.type != TINYGLTF_TYPE_SCALAR) {
+        badInput(import.file.at("accessors").at(index).at("type"),
+                 "is not SCALAR, as its use as a list of numbers asks; export the file again");
+    }
+    std::vector<float> result;
+    forEachElement(
+        import, index, 1, [&](std::size_t count) { result.assign(count, 0.0F); },
+        [&](std::size_t element, const std::byte* bytes) {
+            result[element] = loadFloat(bytes, accessor.componentType, accessor.normalized);
+        });
+    return result;
+}
+
 std::vector<glm::vec2> readVec2(const Import& import, std::size_t accessor) {
     return readVectors<2>(import, accessor);
 }

@@ -17,6 +17,7 @@ inline constexpr std::size_t kMaxElementsWithoutData = std::size_t(1) << 22U;
 
 /// An accessor's elements as floats; normalised integers become 0..1 or -1..1, others keep their
 /// value. Throw Error(kBadInput) where the accessor is of another type or reaches past its data.
+std::vector<float> readScalars(const Import& import, std::size_t accessor);
 std::vector<glm::vec2> readVec2(const Import& import, std::size_t accessor);
 std::vector<glm::vec3> readVec3(const Import& import, std::size_t accessor);
 std::vector<glm::vec4> readVec4(const Import& import, std::size_t accessor);

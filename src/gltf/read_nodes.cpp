@@ -10,9 +10,6 @@
 namespace ribalta::gltf {
 namespace {
 
-// Farther away than anything and smaller than any product's overflow: 1e30 m squared is finite.
-constexpr double kMaxTransform = 1e30;
-
 bool isUsable(const glm::dmat4& matrix) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
@@ -46,6 +43,22 @@ glm::dquat rotationOf(const std::vector<double>& numbers, const Place& place, Re
     return rotation / length;
 }
 
+Pose poseOf(const tinygltf::Node& source, const Place& place, Report& report) {
+    Pose pose;
+    if (!source.rotation.empty()) {
+        pose.rotation = rotationOf(source.rotation, place, report);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!source.scale.empty()) {
+            pose.scale[axis] = source.scale[std::size_t(axis)];
+        }
+        if (!source.translation.empty()) {
+            pose.translation[axis] = source.translation[std::size_t(axis)];
+        }
+    }
+    return pose;
+}
+
 glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report& report) {
     glm::dmat4 matrix(1.0);
     if (!source.matrix.empty()) {
@@ -59,18 +72,7 @@ glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report&
             matrix[3][3] = 1.0;
         }
     } else {
-        if (!source.rotation.empty()) {
-            matrix = glm::mat4_cast(rotationOf(source.rotation, place, report));
-        }
-        if (!source.scale.empty()) {
-            for (int axis = 0; axis < 3; ++axis) {
-                matrix[axis] *= source.scale[std::size_t(axis)];
-            }
-        }
-        if (!source.translation.empty()) {
-            matrix[3] = glm::dvec4(source.translation[0], source.translation[1],
-                                   source.translation[2], 1.0);
-        }
+        matrix = poseOf(source, place, report).parentFromLocal();
     }
     if (!isUsable(matrix)) {
         report.repaired(place,
@@ -127,17 +129,6 @@ void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
             node.parentFromLocal = glm::dmat4(1.0);
             world[i] = parent;
         }
-        if (node.mesh >= 0) {
-            // Less than a plane is left of the mesh where all three cross products vanish.
-            const glm::dmat3 axes(world[i]);
-            const bool vanishes = glm::cross(axes[0], axes[1]) == glm::dvec3(0.0) &&
-                                  glm::cross(axes[1], axes[2]) == glm::dvec3(0.0) &&
-                                  glm::cross(axes[2], axes[0]) == glm::dvec3(0.0);
-            if (vanishes) {
-                report.ignored(here(), "is scaled to nothing; its mesh is not drawn");
-                node.mesh = -1;
-            }
-        }
     }
 }
 
@@ -170,6 +161,38 @@ NodeList readNodes(const Import& import, Report& report) {
     }
     mendWorldTransforms(list, import, report);
     return list;
+}
+
+std::optional<Pose> restPoseOf(const Import& import, const NodeList& list, std::size_t node) {
+    const std::size_t index = list.gltfNodes[node];
+    const tinygltf::Node& source = import.model.nodes[index];
+    Report told;  // by readNodes already
+    const Pose pose = poseOf(source, import.file.at("nodes").at(index), told);
+    const bool isWhole =
+        source.matrix.empty() && pose.parentFromLocal() == list.nodes[node].parentFromLocal;
+    return isWhole ? std::optional<Pose>(pose) : std::nullopt;
+}
+
+void leaveOutVanished(NodeList& list, const std::vector<Mover>& movers, const Import& import,
+                      Report& report) {
+    std::vector<char> moves(list.nodes.size(), 0);
+    for (const Mover& mover : movers) {
+        moves[std::size_t(mover.node)] = 1;
+    }
+    std::vector<glm::dmat4> world(list.nodes.size());
+    for (std::size_t i = 0; i < list.nodes.size(); ++i) {
+        Node& node = list.nodes[i];
+        world[i] = node.parentFromLocal;
+        if (node.parent >= 0) {
+            world[i] = world[std::size_t(node.parent)] * node.parentFromLocal;
+            moves[i] = char(moves[i] | moves[std::size_t(node.parent)]);
+        }
+        if (node.mesh >= 0 && moves[i] == 0 && vanishes(world[i])) {
+            report.ignored(import.file.at("nodes").at(list.gltfNodes[i]),
+                           "is scaled to nothing; its mesh is not drawn");
+            node.mesh = -1;
+        }
+    }
 }
 
 }  // namespace ribalta::gltf

@@ -2,14 +2,20 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/report.h"
 #include "gltf/import.h"
+#include "scene/animation.h"
 #include "scene/node.h"
 
 namespace ribalta::gltf {
+
+/// No number of a placement is larger. Farther away than anything and smaller than any product's
+/// overflow: 1e30 m squared is finite.
+inline constexpr double kMaxTransform = 1e30;
 
 /// The drawn nodes. Their `mesh` is the glTF's index.
 struct NodeList {
@@ -20,5 +26,13 @@ struct NodeList {
 
 /// The nodes of the default scene, or of the first, or below all roots where there is no scene.
 NodeList readNodes(const Import& import, Report& report);
+
+/// How the file places a node of the list, in parts; none where it has a matrix, or where its
+/// transform could not be used.
+std::optional<Pose> restPoseOf(const Import& import, const NodeList& list, std::size_t node);
+
+/// Takes the meshes off nodes that are scaled to nothing and that no mover brings back.
+void leaveOutVanished(NodeList& list, const std::vector<Mover>& movers, const Import& import,
+                      Report& report);
 
 }  // namespace ribalta::gltf

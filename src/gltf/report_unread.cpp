@@ -80,9 +80,6 @@ void reportArray(const json& root, const Place& file, const char* key, const cha
 
 void reportUnread(const Import& import, Report& report) {
     const Where root(import.file);
-    reportArray(import.json, import.file, "animations",
-                " is not played; the scene is drawn as it stands",
-                " are not played; the scene is drawn as it stands", report);
     reportArray(import.json, import.file, "skins",
                 " is not applied; its meshes are drawn in rest position",
                 " are not applied; their meshes are drawn in rest position", report);

@@ -270,7 +270,8 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
     const glm::dmat4 clip = clipFromWorld(camera, settings.width, settings.height);
     std::vector<bool> visible(plan.draws.size());
     for (std::size_t i = 0; i < visible.size(); ++i) {
-        visible[i] = viewTouches(clip, plan.draws[i].worldBounds);
+        const glm::dmat4& place = scene.nodes[std::size_t(plan.draws[i].node)].worldFromLocal;
+        visible[i] = !vanishes(place) && viewTouches(clip, plan.draws[i].worldBounds);
     }
 
     const auto outlines = planLamps(scene, lit, visible, plan);

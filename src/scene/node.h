@@ -16,4 +16,7 @@ struct Node {
     int mesh = -1;
 };
 
+/// Whether less than a plane is left of a mesh that the matrix places: nothing of it is drawn.
+bool vanishes(const glm::dmat4& worldFromLocal);
+
 }  // namespace ribalta

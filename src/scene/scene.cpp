@@ -34,6 +34,14 @@ Frame lookAt(const glm::dvec3& position, const glm::dvec3& target, const glm::dv
     return {position, glm::dmat3(x, glm::cross(z, x), z)};
 }
 
+bool vanishes(const glm::dmat4& worldFromLocal) {
+    // Where all three cross products are nothing.
+    const glm::dmat3 axes(worldFromLocal);
+    return glm::cross(axes[0], axes[1]) == glm::dvec3(0.0) &&
+           glm::cross(axes[1], axes[2]) == glm::dvec3(0.0) &&
+           glm::cross(axes[2], axes[0]) == glm::dvec3(0.0);
+}
+
 void placeNodes(Scene& scene) {
     for (Node& node : scene.nodes) {
         node.worldFromLocal =

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "scene/animation.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
 #include "scene/light.h"
@@ -26,6 +27,8 @@ struct Scene {
     std::vector<SpotLight> spotLights;
     std::vector<PointLight> pointLights;
     std::vector<DirectionalLight> directionalLights;
+    std::vector<Animation> animations;  ///< in the file's order; the scene stands at its rest pose
+    std::vector<Mover> movers;          ///< the nodes that they move
 };
 
 /// Computes every node's worldFromLocal and the frames of the cameras and lamps that hang on nodes.

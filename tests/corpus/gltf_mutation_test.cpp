@@ -74,6 +74,15 @@ GltfFile fullFile() {
                         {"rotation", {0, 0, 0, 1}},
                         {"scale", {1, 1, 1}},
                         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    const int times = file.addAccessor(std::vector<float>{0, 1}, "SCALAR", 5126, 2);
+    const int turns = file.addAccessor(std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 32767, 0},
+                                       "VEC4", 5122, 2);
+    file.json["accessors"][std::size_t(turns)]["normalized"] = true;
+    const json sampler = {{"input", times}, {"output", turns}, {"interpolation", "LINEAR"}};
+    const json channel = {{"sampler", 0}, {"target", {{"node", 1}, {"path", "rotation"}}}};
+    file.push("animations", {{"name", "turn"},
+                             {"samplers", json::array({sampler})},
+                             {"channels", json::array({channel})}});
     file.json["extensionsUsed"] = {"KHR_lights_punctual"};
     file.json["buffers"] = json::array(
         {{{"byteLength", file.bytes().size()}, {"uri", "data:;base64," + base64(file.bytes())}}});

@@ -25,6 +25,7 @@ class Faults {
         }
     }
 
+    bool any() const { return !lines_.empty(); }
     std::vector<std::string> take() { return std::move(lines_); }
 
   private:
@@ -177,6 +178,60 @@ void checkLamps(const Scene& scene, Faults& faults) {
     }
 }
 
+void checkSampler(const AnimationSampler& sampler, const std::string& what, Faults& faults) {
+    const bool cubic = sampler.interpolation == AnimationSampler::Interpolation::kCubicSpline;
+    faults.check(!sampler.seconds.empty(), what + " has no keys");
+    faults.check(sampler.values.size() == (cubic ? 3 : 1) * sampler.seconds.size(),
+                 what + " has the wrong number of values");
+    for (std::size_t i = 0; i < sampler.seconds.size(); ++i) {
+        faults.check(std::isfinite(sampler.seconds[i]), what + " time is not finite");
+        faults.check(i == 0 || sampler.seconds[i] > sampler.seconds[i - 1],
+                     what + " times do not increase");
+    }
+    for (const glm::vec4& value : sampler.values) {
+        faults.checkFinite(value, what + " value");
+    }
+}
+
+void checkAnimations(const Scene& scene, Faults& faults) {
+    for (const Mover& mover : scene.movers) {
+        if (mover.node < 0 || mover.node >= int(scene.nodes.size())) {
+            faults.check(false, "mover's node is out of range");
+            continue;
+        }
+        faults.check(
+            mover.rest.parentFromLocal() == scene.nodes[std::size_t(mover.node)].parentFromLocal,
+            "mover's rest is not its node's");
+    }
+    for (std::size_t a = 0; a < scene.animations.size(); ++a) {
+        const std::string what = "animation " + std::to_string(a);
+        const Animation& animation = scene.animations[a];
+        for (const AnimationSampler& sampler : animation.samplers) {
+            checkSampler(sampler, what, faults);
+        }
+        for (const AnimationChannel& channel : animation.channels) {
+            faults.check(channel.mover >= 0 && channel.mover < int(scene.movers.size()),
+                         what + " mover");
+            faults.check(channel.sampler >= 0 && channel.sampler < int(animation.samplers.size()),
+                         what + " sampler");
+        }
+    }
+}
+
+// Whatever the time, what is placed is finite.
+void checkPoses(Scene scene, Faults& faults) {
+    if (scene.movers.empty()) {
+        return;
+    }
+    for (const double share : {0.0, 0.3, 0.99, 2.0}) {
+        poseScene(scene, share * durationSeconds(scene));
+        for (const Node& node : scene.nodes) {
+            checkMatrix(node.worldFromLocal, "posed worldFromLocal", faults);
+        }
+        checkLamps(scene, faults);
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> sceneFaults(const Scene& scene) {
@@ -210,6 +265,10 @@ std::vector<std::string> sceneFaults(const Scene& scene) {
         checkCamera(camera, scene.nodes.size(), faults);
     }
     checkLamps(scene, faults);
+    checkAnimations(scene, faults);
+    if (!faults.any()) {
+        checkPoses(scene, faults);
+    }
     return faults.take();
 }
 

@@ -20,7 +20,6 @@ TEST(GltfReportTest, CleanFileHasNothingToTell) {
 
 TEST(GltfReportTest, FeaturesThatAreNotDrawn) {
     GltfFile file = triangleFile();
-    file.json["animations"] = json::array({json::object(), json::object()});
     file.json["skins"] = json::array({json::object()});
     json& primitive = file.json["meshes"][0]["primitives"][0];
     primitive["targets"] = json::array({{{"POSITION", 0}}});
@@ -30,7 +29,6 @@ TEST(GltfReportTest, FeaturesThatAreNotDrawn) {
     const LoadedScene loaded = load(file);
     const Report::Kind ignored = Report::Kind::kIgnored;
     const std::string attributes = "/meshes/0/primitives/0/attributes/";
-    expectLine(loaded, ignored, "/animations", "2 animations");
     expectLine(loaded, ignored, "/skins", "1 skin");
     expectLine(loaded, ignored, "/meshes/0/primitives/0/targets", "morph targets");
     expectLine(loaded, ignored, attributes + "TEXCOORD_2", "TEXCOORD_2");

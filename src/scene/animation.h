@@ -1,0 +1,74 @@
+// Animation: how nodes move over time, as plain data, and its values at a given second (glTF 2.0,
+// section 3.11 and appendix C). No clock: what time it is, is the caller's business.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "scene/pose.h"
+
+namespace ribalta {
+
+struct Scene;
+
+/// Keys, and the way from one to the next. Before the first and after the last nothing changes.
+struct AnimationSampler {
+    enum class Interpolation {
+        kStep,         ///< a key's value holds until the next
+        kLinear,       ///< straight; rotations at an even pace along the shorter arc
+        kCubicSpline,  ///< Hermite's, by the keys' tangents
+    };
+
+    Interpolation interpolation = Interpolation::kLinear;
+    std::vector<float> seconds;  ///< by key; at least one, finite, strictly increasing
+    /// By key, finite: x, y, z, and w of rotations, which are of any length but none. With
+    /// kCubicSpline three a key: the tangent into it, its value, the tangent out of it, both
+    /// tangents a second.
+    std::vector<glm::vec4> values;
+};
+
+/// What a sampler moves.
+struct AnimationChannel {
+    enum class Part { kTranslation, kRotation, kScale };
+
+    int mover = -1;    ///< into Scene::movers
+    int sampler = -1;  ///< into Animation::samplers
+    Part part = Part::kTranslation;
+};
+
+struct Animation {
+    std::string name;
+    std::vector<AnimationSampler> samplers;
+    std::vector<AnimationChannel> channels;  ///< no part of a mover twice
+};
+
+/// A node that some animation moves.
+struct Mover {
+    int node = -1;  ///< into Scene::nodes
+    Pose rest;      ///< as the file places it
+    Pose pose;      ///< as it stands; its node's parentFromLocal is made of it
+};
+
+/// All of a scene's animations on one timeline, as Blender writes one action a lamp. Where several
+/// move the same part of a node, the first of them is seen.
+inline constexpr int kAllAnimations = -1;
+
+/// The value at a time. A vector's w is without meaning.
+glm::dvec4 sampleVector(const AnimationSampler& sampler, double seconds);
+/// The value at a time, brought to unit length.
+glm::dquat sampleRotation(const AnimationSampler& sampler, double seconds);
+
+/// When the last key of an animation (an index into Scene::animations, or kAllAnimations) is
+/// reached; 0 where nothing moves.
+double durationSeconds(const Scene& scene, int animation = kAllAnimations);
+
+/// Moves the scene's nodes, and what hangs on them, to where they are at a time. What the chosen
+/// animation does not move rests. Takes no memory.
+void poseScene(Scene& scene, double seconds, int animation = kAllAnimations);
+
+/// Puts all that moves back to where the file places it.
+void restScene(Scene& scene);
+
+}  // namespace ribalta
