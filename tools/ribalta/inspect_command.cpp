@@ -169,6 +169,25 @@ void printCameras(const Scene& scene) {
     }
 }
 
+void printAnimations(const Scene& scene, bool all) {
+    constexpr std::size_t kShown = 10;
+    std::printf("animations %zu", scene.animations.size());
+    if (!scene.animations.empty()) {
+        std::printf(", %.4g s together, of %zu nodes", durationSeconds(scene), scene.movers.size());
+    }
+    std::printf("\n");
+    const std::size_t count = scene.animations.size();
+    const std::size_t shown = all ? count : std::min(kShown, count);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const Animation& animation = scene.animations[i];
+        std::printf("  %zu %s %.4g s, %zu channels\n", i, quoted(animation.name).c_str(),
+                    durationSeconds(scene, int(i)), animation.channels.size());
+    }
+    if (shown < count) {
+        std::printf("  and %zu more (--all lists them)\n", count - shown);
+    }
+}
+
 void printExtensions(const LoadedScene& loaded) {
     const std::set<std::string> ignored(loaded.extensionsIgnored.begin(),
                                         loaded.extensionsIgnored.end());
@@ -184,12 +203,13 @@ LoadedScene load(const std::string& path) {
     return loadGltf(path);
 }
 
-void inspect(const std::string& path, bool allMeshes) {
+void inspect(const std::string& path, bool all) {
     const LoadedScene loaded = load(path);
     std::printf("%s\n", path.c_str());
-    printGeometry(loaded.scene, allMeshes);
+    printGeometry(loaded.scene, all);
     printLamps(loaded.scene);
     printCameras(loaded.scene);
+    printAnimations(loaded.scene, all);
     printExtensions(loaded);
     std::printf("report     %zu lines\n", loaded.report.entries().size());
     for (const Report::Entry& entry : loaded.report.entries()) {
@@ -209,7 +229,7 @@ void addInspectCommand(CLI::App& app) {
     const auto path = std::make_shared<std::string>();
     command->add_option("scene", *path, "glTF scene, .gltf or .glb")->type_name("FILE")->required();
     const auto all = std::make_shared<bool>(false);
-    command->add_flag("--all", *all, "list every mesh, not only the largest ten");
+    command->add_flag("--all", *all, "list every mesh and animation, not only ten");
     command->callback([path, all] { inspect(*path, *all); });
 }
 

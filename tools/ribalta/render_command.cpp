@@ -7,11 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <sys/resource.h>
 
+#include "animation_options.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "beam_options.h"
 #include "cache_options.h"
+#include "frame_files.h"
 #include "gl/context.h"
 #include "gl/counters.h"
 #include "haze_options.h"
@@ -20,6 +22,7 @@
 #include "options.h"
 #include "output_checks.h"
 #include "render/renderer.h"
+#include "render_frames.h"
 #include "render_outputs.h"
 #include "render_stats.h"
 #include "sky_options.h"
@@ -43,6 +46,7 @@ struct RenderOptions {
     SkyOptions sky;
     CacheOptions cache;
     BeamOptions beams;
+    AnimationOptions animation;
     std::optional<std::string> exposure;
     std::optional<double> ambient;
     std::string layers;
@@ -68,7 +72,7 @@ FrameSettings settingsFrom(const RenderOptions& options, const Look& look,
     if (settings.beams.eightBitBlending && !settings.ev100) {
         throw CLI::ValidationError("--eight-bit", "needs an exposure: give --exposure EV100");
     }
-    settings.display = outputs.wantsPng() || outputs.files.empty();
+    settings.display = outputs.wantsDisplay();
     settings.beamsOutput = outputs.layers.beams;
     settings.normalOutput = outputs.layers.normal;
     return settings;
@@ -173,6 +177,16 @@ void tellOfSky(const SkyWork& sky) {
     }
 }
 
+void tellOfPlan(const FramePlan& plan) {
+    if (plan.lampsWithoutShadow > 0) {
+        logWarning(std::to_string(plan.lampsWithoutShadow) +
+                   " lamps cast no shadows: more lamps have casters than there are shadow maps");
+    }
+    if (plan.sky) {
+        tellOfSky(*plan.sky);
+    }
+}
+
 void render(RenderOptions& options) {
     setVerbose(options.verbose);
     const RenderOutputs outputs{options.outputs, parseLayers(options.layers), options.stats};
@@ -184,14 +198,21 @@ void render(RenderOptions& options) {
     options.sky.fillFrom(look.sky);
     options.sky.check();
     FrameSettings settings = settingsFrom(options, look, outputs);
-    checkOutputs(outputs);
+    const std::optional<FrameRange> frames = options.animation.range();
+    if (frames) {
+        checkFrameOutputs(outputs, *frames, settings);
+    } else {
+        checkOutputs(outputs);
+    }
 
     LoadedScene loaded = loadScene(options.scene);
+    options.animation.pose(loaded.scene);
     bringLook(look, loaded);
     if (options.look.file) {
         loaded.files.emplace_back(*options.look.file);
     }
-    for (const std::filesystem::path& output : outputs.files) {
+    for (const std::filesystem::path& output :
+         frames ? allFrameFiles(outputs.files, *frames) : outputs.files) {
         refuseReplacing(output, loaded.files);
     }
     settings.sky = options.sky.parsed(loaded.scene);
@@ -217,14 +238,14 @@ void render(RenderOptions& options) {
     progress.reset();
     const double uploadMs = msSince(start);
 
+    if (frames) {
+        renderFrames({loaded.scene, renderer, camera, settings, outputs, *frames,
+                      options.animation.chosen(loaded.scene), options.animation.fresh});
+        tellOfPlan(renderer.lastPlan());
+        return;
+    }
     RenderStats stats = drawFrames(renderer, loaded.scene, camera, settings, options, before);
-    if (renderer.lastPlan().lampsWithoutShadow > 0) {
-        logWarning(std::to_string(renderer.lastPlan().lampsWithoutShadow) +
-                   " lamps cast no shadows: more lamps have casters than there are shadow maps");
-    }
-    if (renderer.lastPlan().sky) {
-        tellOfSky(*renderer.lastPlan().sky);
-    }
+    tellOfPlan(renderer.lastPlan());
     stats.renderer = context.renderer();
     stats.load = loaded.stages;
     stats.load.push_back({"context", contextMs});
@@ -292,9 +313,11 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
 }  // namespace
 
 void addRenderCommand(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("render", "Draws one frame without a window.");
+    CLI::App* command = app.add_subcommand(
+        "render", "Draws a picture, or the frames of an animation, without a window.");
     const auto options = std::make_shared<RenderOptions>();
     addPictureOptions(*command, *options);
+    options->animation.addTo(*command);
     options->haze.addTo(*command);
     options->sky.addTo(*command);
     options->cache.addTo(*command);

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/temporary_file.h"
+#include "frame_files.h"
 #include "image/write_image.h"
 #include "output_checks.h"
 #include "reference/reference_file.h"
@@ -36,8 +37,9 @@ bool anyEndsWith(const RenderOutputs& outputs, const char* ending) {
 
 }  // namespace
 
-bool RenderOutputs::wantsPng() const {
-    return anyEndsWith(*this, ".png");
+bool RenderOutputs::wantsDisplay() const {
+    return files.empty() || anyEndsWith(*this, ".png") ||
+           std::any_of(files.begin(), files.end(), isVideo);
 }
 
 bool RenderOutputs::wantsExr() const {
@@ -49,7 +51,8 @@ void checkOutputs(const RenderOutputs& outputs) {
         if (endingOf(file) != ".png" && endingOf(file) != ".exr") {
             refuseFolder(file);
             throw Error(ErrorKind::kUsage, {file.string(), ""},
-                        "the ending says no format; use .png or .exr");
+                        isVideo(file) ? "one picture is no film; give the frames, as --frames 0:47"
+                                      : "the ending says no format; use .png or .exr");
         }
     }
     if (!outputs.stats.empty() && endingOf(outputs.stats) != ".json") {

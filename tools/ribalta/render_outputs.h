@@ -18,7 +18,8 @@ struct RenderOutputs {
     FrameLayers layers;
     std::filesystem::path stats;  ///< empty: none
 
-    bool wantsPng() const;
+    /// Whether any file shows the frame as a screen does, or there is no file.
+    bool wantsDisplay() const;
     bool wantsExr() const;
 };
 

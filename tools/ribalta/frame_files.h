@@ -1,0 +1,25 @@
+// The names of an animation's frames, and which of them are there already.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "animation_options.h"
+
+namespace ribalta {
+
+/// Whether the ending is that of a film: .mp4, .webm or .mkv, in either case.
+bool isVideo(const std::filesystem::path& path);
+
+/// The picture's name with the frame's number in the place of the last run of # in the file's name,
+/// with at least as many digits; without any, "_0001" before the ending.
+std::filesystem::path numbered(const std::filesystem::path& picture, int frame);
+
+/// All that a range of frames is written to.
+std::vector<std::filesystem::path> allFrameFiles(const std::vector<std::filesystem::path>& outputs,
+                                                 const FrameRange& range);
+
+/// Whether the file is a .png or .exr of this size from its first byte to its last.
+bool isWholePicture(const std::filesystem::path& path, int width, int height);
+
+}  // namespace ribalta
