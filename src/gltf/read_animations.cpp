@@ -100,7 +100,7 @@ class Reader {
     Report& report_;
     std::map<std::size_t, std::size_t> sceneNodes_;  ///< by the glTF's index
     std::map<std::size_t, int> movers_;              ///< by node of the scene; -1: has a matrix
-    std::size_t keysLeft_ = kMaxAnimationKeys;
+    std::size_t valuesLeft_ = kMaxAnimationValues;
     Tally ignored_;
     Tally hints_;
 };
@@ -284,12 +284,12 @@ void Reader::checkAccessors(const json& source, bool isRotation) {
                      (each == 3 ? "three for each of the " : "one for each of the ") +
                      counted(times.count, "keys") + " in accessor " + std::to_string(input));
     }
-    if (times.count > keysLeft_) {
-        badInput(accessors.at(input), "has " + counted(times.count, "keys") + "; at most " +
-                                          std::to_string(kMaxAnimationKeys) +
-                                          " are read, of all animations together");
+    if (values.count > valuesLeft_) {
+        badInput(accessors.at(output), "has " + counted(values.count, "elements") + "; at most " +
+                                           std::to_string(kMaxAnimationValues) +
+                                           " are read, of all animations together");
     }
-    keysLeft_ -= times.count;
+    valuesLeft_ -= values.count;
     const Where root(import_.file);
     const Where list(root, "accessors");
     for (const std::size_t accessor : {input, output}) {

@@ -10,8 +10,8 @@
 
 namespace ribalta::gltf {
 
-/// Most keys that are read, of all animations together; the channels beyond are left out.
-inline constexpr std::size_t kMaxAnimationKeys = std::size_t(1) << 24U;
+/// Most values of keys that are read, of all animations together; the channels beyond are left out.
+inline constexpr std::size_t kMaxAnimationValues = std::size_t(1) << 24U;
 
 /// Fills the scene's animations, one for each of the file's in its order, and its movers. Reports
 /// what is not played: weights of morph targets, what is no property of a node, nodes that are not

@@ -32,30 +32,30 @@ sys.exit(8)
 
 
 def make_moving_floor():
-    """The floor's lamp swings to the side and back in 1 s, and the floor rises by a metre."""
+    """In 1 s the lamp swings to the side and back, the floor rises and the camera comes nearer."""
     scene = make_floor()
-    down = [-(0.5**0.5), 0, 0, 0.5**0.5]
-    content = struct.pack("<3f", 0, 0.5, 1)
-    content += struct.pack("<9f", 0, 5, 0, 1.5, 5, 0, 0, 5, 0)
-    content += struct.pack("<2f", 0, 1)
-    content += struct.pack("<6f", 0, 0, 0, 0, 1, 0)
-    scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
-    first = len(scene["accessors"])
-    at = 0
-    for count, kind, width in [(3, "SCALAR", 1), (3, "VEC3", 3), (2, "SCALAR", 1), (2, "VEC3", 3)]:
-        scene["bufferViews"].append({"buffer": 1, "byteOffset": at, "byteLength": 4 * count * width})
-        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1,
-                                   "componentType": 5126, "count": count, "type": kind})
-        at += 4 * count * width
-    lamp = next(i for i, node in enumerate(scene["nodes"]) if node["name"] == "lamp")
-    assert scene["nodes"][lamp]["rotation"] == down
 
-    def animation(name, node, accessor):
-        return {"name": name,
-                "samplers": [{"input": accessor, "output": accessor + 1}],
-                "channels": [{"sampler": 0, "target": {"node": node, "path": "translation"}}]}
+    def accessor(kind, width, numbers):
+        content = struct.pack(f"<{len(numbers)}f", *numbers)
+        scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
+        scene["bufferViews"].append({"buffer": len(scene["buffers"]) - 1,
+                                     "byteLength": len(content)})
+        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "type": kind,
+                                   "componentType": 5126, "count": len(numbers) // width})
+        return len(scene["accessors"]) - 1
 
-    scene["animations"] = [animation("swing", lamp, first), animation("rise", 0, first + 2)]
+    def animation(name, node, times, places):
+        index = next(i for i, each in enumerate(scene["nodes"]) if each["name"] == node)
+        sampler = {"input": accessor("SCALAR", 1, times), "output": accessor("VEC3", 3, places)}
+        target = {"node": index, "path": "translation"}
+        return {"name": name, "samplers": [sampler],
+                "channels": [{"sampler": 0, "target": target}]}
+
+    scene["animations"] = [
+        animation("swing", "lamp", [0, 0.5, 1], [0, 5, 0, 1.5, 5, 0, 0, 5, 0]),
+        animation("rise", "floor", [0, 1], [0, 0, 0, 0, 0.5, 0]),
+        animation("dolly", "side", [0, 1], [0, 2, 8, 0.5, 2, 6]),
+    ]
     return scene
 
 
@@ -88,19 +88,19 @@ class Times(Moving):
         self.assertEqual(self.content("7.png"), self.content("1.png"))
 
     def test_one_animation_of_several(self):
-        for name in ["swing", "rise", "0", "all"]:
+        for name in ["swing", "rise", "dolly", "0", "all"]:
             self.render("--time", "0.5", "--animation", name, "-o", f"{name}.png")
         self.assertEqual(self.content("swing.png"), self.content("0.png"))
-        contents = {self.content(f"{name}.png") for name in ["swing", "rise", "all"]}
-        self.assertEqual(len(contents), 3)
+        contents = {self.content(f"{name}.png") for name in ["swing", "rise", "dolly", "all"]}
+        self.assertEqual(len(contents), 4)
         self.expect_error(USAGE, ["no animation 'jump'", "0 swing", "1 rise"], "render",
                           "floor.gltf", "--time", "1", "--animation", "jump", "-o", "a.png")
-        self.expect_error(USAGE, ["no animation '2'"], "render", "floor.gltf", "--time", "1",
-                          "--animation", "2", "-o", "a.png")
+        self.expect_error(USAGE, ["no animation '3'"], "render", "floor.gltf", "--time", "1",
+                          "--animation", "3", "-o", "a.png")
 
     def test_inspect_lists_them(self):
         text = self.expect_done("inspect", "floor.gltf").stdout
-        self.assertIn("animations 2, 1 s together, of 2 nodes", text)
+        self.assertIn("animations 3, 1 s together, of 3 nodes", text)
         self.assertIn("0 'swing' 1 s, 1 channels", text)
 
     def test_a_scene_that_does_not_move_is_told(self):
@@ -133,12 +133,13 @@ class Times(Moving):
 
 class Frames(Moving):
     def test_numbers_and_contents(self):
-        """Each frame is, byte by byte, the picture of its time drawn alone."""
-        self.render("--frames", "0:3", "--fps", "4", "-o", "shot_##.png", "-o", "light.exr")
+        """Each frame is, byte by byte, the picture of its time drawn alone; the last two are alike,
+        as nothing moves any more."""
+        self.render("--frames", "0:5", "--fps", "4", "-o", "shot_##.png", "-o", "light.exr")
         self.assertEqual(self.pictures(),
-                         [f"light_000{i}.exr" for i in range(4)]
-                         + [f"shot_0{i}.png" for i in range(4)])
-        for i in range(4):
+                         [f"light_000{i}.exr" for i in range(6)]
+                         + [f"shot_0{i}.png" for i in range(6)])
+        for i in range(6):
             self.render("--time", i / 4, "-o", "alone.png", "-o", "alone.exr")
             self.assertEqual(self.content(f"shot_0{i}.png"), self.content("alone.png"), i)
             self.assertEqual(self.content(f"light_000{i}.exr"), self.content("alone.exr"), i)

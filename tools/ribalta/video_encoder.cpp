@@ -1,6 +1,7 @@
 #include "video_encoder.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -84,7 +86,7 @@ std::filesystem::path findFfmpeg(const std::filesystem::path& film) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path == nullptr ? "" : path);
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::filesystem::path program =
+        std::filesystem::path program =
             std::filesystem::path(folder.empty() ? "." : folder) / "ffmpeg";
         std::error_code missing;
         if (std::filesystem::is_regular_file(program, missing) &&
@@ -101,17 +103,7 @@ std::filesystem::path findFfmpeg(const std::filesystem::path& film) {
 VideoEncoder::VideoEncoder(const std::filesystem::path& film, int width, int height,
                            double framesPerSecond)
     : film_(film), output_(film) {
-    // Writing to an ffmpeg that is gone is an error, not the end of this program.
-    struct sigaction ignore {};
-    ignore.sa_handler = SIG_IGN;
-    sigemptyset(&ignore.sa_mask);
-    sigaction(SIGPIPE, &ignore, &pipeBefore_);
-    try {
-        start(width, height, framesPerSecond);
-    } catch (...) {
-        sigaction(SIGPIPE, &pipeBefore_, nullptr);
-        throw;
-    }
+    start(width, height, framesPerSecond);
 }
 
 VideoEncoder::~VideoEncoder() {
@@ -122,22 +114,22 @@ VideoEncoder::~VideoEncoder() {
     if (errors_ >= 0) {
         close(errors_);
     }
-    sigaction(SIGPIPE, &pipeBefore_, nullptr);
 }
 
 void VideoEncoder::start(int width, int height, double framesPerSecond) {
     const std::filesystem::path ffmpeg = findFfmpeg(film_);
     int ends[2] = {-1, -1};
     errors_ = memfd_create("ffmpeg errors", MFD_CLOEXEC);
-    if (errors_ < 0 || pipe2(ends, O_CLOEXEC) != 0) {
+    // Sockets, which unlike pipes can be written to without a signal when ffmpeg is gone.
+    if (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
         const std::string why = std::strerror(errno);
         if (errors_ >= 0) {
             close(errors_);
         }
         throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
-                    "no pipe to ffmpeg could be made: " + why + "; close other programs");
+                    "no connection to ffmpeg could be made: " + why + "; close other programs");
     }
-    pipe_ = ends[1];
+    input_ = ends[1];
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
@@ -159,6 +151,7 @@ void VideoEncoder::start(int width, int height, double framesPerSecond) {
     std::vector<std::string> command =
         commandFor(ffmpeg, output_.path(), width, height, framesPerSecond);
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (std::string& argument : command) {
         arguments.push_back(argument.data());
     }
@@ -170,7 +163,7 @@ void VideoEncoder::start(int width, int height, double framesPerSecond) {
     close(ends[0]);
     if (error != 0) {
         process_ = -1;
-        close(pipe_);
+        close(input_);
         close(errors_);
         throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
                     ffmpeg.string() + " cannot be run: " + std::strerror(error) +
@@ -179,9 +172,9 @@ void VideoEncoder::start(int width, int height, double framesPerSecond) {
 }
 
 int VideoEncoder::endAndWait() {
-    if (pipe_ >= 0) {
-        close(pipe_);
-        pipe_ = -1;
+    if (input_ >= 0) {
+        close(input_);
+        input_ = -1;
     }
     int status = 0;
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
@@ -199,7 +192,7 @@ void VideoEncoder::fail(const std::string& why) {
 
 void VideoEncoder::write(std::span<const std::uint8_t> rgb) {
     while (!rgb.empty()) {
-        const ssize_t written = ::write(pipe_, rgb.data(), rgb.size());
+        const ssize_t written = send(input_, rgb.data(), rgb.size(), MSG_NOSIGNAL);
         if (written >= 0) {
             rgb = rgb.subspan(std::size_t(written));
         } else if (errno != EINTR) {

@@ -1,7 +1,6 @@
 // VideoEncoder: frames into a film, by the program ffmpeg, which is run beside this one.
 #pragma once
 
-#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -39,9 +38,8 @@ class VideoEncoder {
     std::filesystem::path film_;
     TemporaryFile output_;
     pid_t process_ = -1;
-    int pipe_ = -1;    ///< to its standard input
+    int input_ = -1;   ///< its standard input's other end
     int errors_ = -1;  ///< a file in memory that it writes its errors to
-    struct sigaction pipeBefore_ {};
 };
 
 }  // namespace ribalta

@@ -206,13 +206,13 @@ TEST(GltfAnimationTest, KeysPastTheirBufferAreLeftOut) {
     expectLeftOut(file, "/accessors/1", "needs 200 elements");
 }
 
-TEST(GltfAnimationTest, TooManyKeysAreLeftOut) {
+TEST(GltfAnimationTest, TooManyValuesAreLeftOut) {
     AnimatedFile file;
-    const std::size_t count = gltf::kMaxAnimationKeys + 1;
+    const std::size_t count = gltf::kMaxAnimationValues + 1;
     for (const char* end : {"input", "output"}) {
         file.accessorOf(end)["count"] = count;
     }
-    expectLeftOut(file, "/accessors/1", "at most");
+    expectLeftOut(file, "/accessors/2", "at most");
 }
 
 TEST(GltfAnimationTest, NodesThatDoNotMoveAreToldOnce) {
