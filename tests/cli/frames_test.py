@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from command import (JOB_FAILED, PROGRAM, USAGE, CommandTest, data_uri, make_floor,
+from command import (JOB_FAILED, PROGRAM, USAGE, CommandTest, add_node, data_uri, make_floor,
                      read_png)
 
 SIZE = ["--size", "32x18", "--exposure", "5"]
@@ -56,6 +56,24 @@ def make_moving_floor():
         animation("rise", "floor", [0, 1], [0, 0, 0, 0, 0.5, 0]),
         animation("dolly", "side", [0, 1], [0, 2, 8, 0.5, 2, 6]),
     ]
+    return scene
+
+
+def add_moving_sun(scene):
+    """A sun that climbs while the lamp swings."""
+    extension = "KHR_lights_punctual"
+    scene["extensions"][extension]["lights"].append({"type": "directional"})
+    add_node(scene, name="sun", extensions={extension: {"light": 1}})
+    content = struct.pack("<8f", -0.1, 0, 0, 0.99498744, -0.5, 0, 0, 0.8660254)
+    scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
+    scene["bufferViews"].append({"buffer": len(scene["buffers"]) - 1, "byteLength": len(content)})
+    scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "type": "VEC4",
+                               "componentType": 5126, "count": 2})
+    dolly = scene["animations"][-1]["samplers"][0]
+    scene["animations"].append({
+        "samplers": [{"input": dolly["input"], "output": len(scene["accessors"]) - 1}],
+        "channels": [{"sampler": 0,
+                      "target": {"node": len(scene["nodes"]) - 1, "path": "rotation"}}]})
     return scene
 
 
@@ -144,6 +162,18 @@ class Frames(Moving):
             self.assertEqual(self.content(f"shot_0{i}.png"), self.content("alone.png"), i)
             self.assertEqual(self.content(f"light_000{i}.exr"), self.content("alone.exr"), i)
         self.assertNotEqual(self.content("shot_00.png"), self.content("shot_01.png"))
+
+    def test_a_sun_that_moves(self):
+        self.write_scene("sun.gltf", add_moving_sun(make_moving_floor()))
+        sky = ["sun.gltf", "--size", "32x18", "--exposure", "13", "--sky", "chapman"]
+        self.expect_done("render", *sky, "--frames", "0:2", "--fps", "2", "-o", "a_#.png")
+        for i in range(3):
+            self.expect_done("render", *sky, "--time", i / 2, "-o", "alone.png")
+            self.assertEqual(self.content(f"a_{i}.png"), self.content("alone.png"), i)
+        # A sun that is told stays where it is.
+        self.expect_done("render", *sky, "--sun", "12,180", "--frames", "2:2", "--fps", "2", "-o",
+                         "b_#.png")
+        self.assertNotEqual(self.content("a_2.png"), self.content("b_2.png"))
 
     def test_names(self):
         self.render("--frames", "9:10", "-o", "#.png", "-o", "a##b###c.png", "-o", "plain.png")

@@ -87,6 +87,15 @@ TEST(FramePlanLine, ALampBehindTheCameraThatLightsTheFloorIsKept) {
     EXPECT_EQ(stage.line(), "shadow_map[1] forward beams[1] tonemap");
 }
 
+TEST(FramePlanLine, WhatIsScaledToNothingIsNotDrawn) {
+    SmallStage stage;
+    // Its draw stays in the list, so that the numbers of the others do not change with it.
+    stage.scene.nodes[std::size_t(stage.floor)].worldFromLocal = glm::dmat4(0.0);
+    stage.scene.nodes[std::size_t(stage.floor)].worldFromLocal[3][3] = 1.0;
+    EXPECT_EQ(stage.plan().draws.size(), 1U);
+    EXPECT_FALSE(stage.plan().forward.has_value());
+}
+
 TEST(FramePlanLine, ALampWithoutCastersHasNoShadowMap) {
     SmallStage stage;
     stage.scene.spotLights[0] = makeSpot({0, 1, 0}, {0, 5, 0}, 0.3);
