@@ -119,7 +119,7 @@ class Times(Moving):
     def test_inspect_lists_them(self):
         text = self.expect_done("inspect", "floor.gltf").stdout
         self.assertIn("animations 3, 1 s together, of 3 nodes", text)
-        self.assertIn("0 'swing' 1 s, 1 channels", text)
+        self.assertIn("0 'swing' 1 s, 1 channel\n", text)
 
     def test_a_scene_that_does_not_move_is_told(self):
         self.write_scene("still.gltf", make_floor())

@@ -16,13 +16,6 @@ namespace {
 
 constexpr int kDigits = 4;
 
-std::string endingOf(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
 std::string digits(int frame, std::size_t count) {
     char text[32];
     std::snprintf(text, sizeof text, "%0*d", int(std::min<std::size_t>(count, 20)), frame);
@@ -48,6 +41,13 @@ bool isWholePng(const std::filesystem::path& path, int width, int height) {
 }
 
 }  // namespace
+
+std::string endingOf(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
 
 bool isVideo(const std::filesystem::path& path) {
     const std::string ending = endingOf(path);

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "animation_options.h"
 
 namespace ribalta {
+
+/// ".png" of "shot.PNG": what says the format, in lower case.
+std::string endingOf(const std::filesystem::path& path);
 
 /// Whether the ending is that of a film: .mp4, .webm or .mkv, in either case.
 bool isVideo(const std::filesystem::path& path);

@@ -180,8 +180,9 @@ void printAnimations(const Scene& scene, bool all) {
     const std::size_t shown = all ? count : std::min(kShown, count);
     for (std::size_t i = 0; i < shown; ++i) {
         const Animation& animation = scene.animations[i];
-        std::printf("  %zu %s %.4g s, %zu channels\n", i, quoted(animation.name).c_str(),
-                    durationSeconds(scene, int(i)), animation.channels.size());
+        std::printf("  %zu %s %.4g s, %zu channel%s\n", i, quoted(animation.name).c_str(),
+                    durationSeconds(scene, int(i)), animation.channels.size(),
+                    animation.channels.size() == 1 ? "" : "s");
     }
     if (shown < count) {
         std::printf("  and %zu more (--all lists them)\n", count - shown);

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "frame_files.h"
 
 namespace ribalta {
 namespace {
@@ -56,14 +57,44 @@ std::vector<std::string> commandFor(const std::filesystem::path& ffmpeg,
                                         rate,
                                         "-i",
                                         "pipe:0"};
-    const std::string ending = output.extension().string();
-    const bool isWebm = ending.size() == 5 && (ending[1] == 'w' || ending[1] == 'W');
-    const std::vector<std::string>& codec = isWebm ? kVp9 : kH264;
+    const std::vector<std::string>& codec = endingOf(output) == ".webm" ? kVp9 : kH264;
     command.insert(command.end(), codec.begin(), codec.end());
     command.insert(command.end(), kColours.begin(), kColours.end());
     // A name that begins with a dash, or has a colon, is a name all the same.
     command.push_back("file:" + output.string());
     return command;
+}
+
+// Runs a program, its output thrown away. Returns an errno, or 0 and its process.
+int spawn(std::vector<std::string> command, int input, int errors, pid_t& process) {
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+    // A group of its own: Ctrl-C is for this program, which ends the other in order.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t usual;
+    sigemptyset(&usual);
+    for (const int number : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) {
+        sigaddset(&usual, number);
+    }
+    posix_spawnattr_setsigdefault(&attributes, &usual);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes,
+                             static_cast<short>(POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP));
+    std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
+    for (std::string& argument : command) {
+        arguments.push_back(argument.data());
+    }
+    arguments.push_back(nullptr);
+    const int error =
+        posix_spawn(&process, arguments.front(), &files, &attributes, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&attributes);
+    return error;
 }
 
 std::string lastLine(int file) {
@@ -100,10 +131,33 @@ std::filesystem::path findFfmpeg(const std::filesystem::path& film) {
                     film.stem().string() + "_####.png");
 }
 
+void FileDescriptor::close() {
+    if (number_ >= 0) {
+        ::close(std::exchange(number_, -1));
+    }
+}
+
 VideoEncoder::VideoEncoder(const std::filesystem::path& film, int width, int height,
                            double framesPerSecond)
-    : film_(film), output_(film) {
-    start(width, height, framesPerSecond);
+    : film_(film), output_(film), errors_(memfd_create("ffmpeg errors", MFD_CLOEXEC)) {
+    const std::filesystem::path ffmpeg = findFfmpeg(film_);
+    int ends[2] = {-1, -1};
+    // Sockets, which unlike pipes can be written to without a signal when ffmpeg is gone.
+    if (errors_.number() < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+        throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
+                    std::string("no connection to ffmpeg could be made: ") + std::strerror(errno) +
+                        "; close other programs");
+    }
+    const FileDescriptor theirs(ends[0]);
+    input_ = FileDescriptor(ends[1]);
+    const int error = spawn(commandFor(ffmpeg, output_.path(), width, height, framesPerSecond),
+                            theirs.number(), errors_.number(), process_);
+    if (error != 0) {
+        process_ = -1;
+        throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
+                    ffmpeg.string() + " cannot be run: " + std::strerror(error) +
+                        "; install the package ffmpeg anew");
+    }
 }
 
 VideoEncoder::~VideoEncoder() {
@@ -111,71 +165,10 @@ VideoEncoder::~VideoEncoder() {
         kill(process_, SIGKILL);
         endAndWait();
     }
-    if (errors_ >= 0) {
-        close(errors_);
-    }
-}
-
-void VideoEncoder::start(int width, int height, double framesPerSecond) {
-    const std::filesystem::path ffmpeg = findFfmpeg(film_);
-    int ends[2] = {-1, -1};
-    errors_ = memfd_create("ffmpeg errors", MFD_CLOEXEC);
-    // Sockets, which unlike pipes can be written to without a signal when ffmpeg is gone.
-    if (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
-        const std::string why = std::strerror(errno);
-        if (errors_ >= 0) {
-            close(errors_);
-        }
-        throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
-                    "no connection to ffmpeg could be made: " + why + "; close other programs");
-    }
-    input_ = ends[1];
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, errors_, STDERR_FILENO);
-    // A group of its own: Ctrl-C is for this program, which ends ffmpeg in order.
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t usual;
-    sigemptyset(&usual);
-    for (const int number : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) {
-        sigaddset(&usual, number);
-    }
-    posix_spawnattr_setsigdefault(&attributes, &usual);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes,
-                             static_cast<short>(POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP));
-
-    std::vector<std::string> command =
-        commandFor(ffmpeg, output_.path(), width, height, framesPerSecond);
-    std::vector<char*> arguments;
-    arguments.reserve(command.size() + 1);
-    for (std::string& argument : command) {
-        arguments.push_back(argument.data());
-    }
-    arguments.push_back(nullptr);
-    const int error =
-        posix_spawn(&process_, ffmpeg.c_str(), &files, &attributes, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    posix_spawnattr_destroy(&attributes);
-    close(ends[0]);
-    if (error != 0) {
-        process_ = -1;
-        close(input_);
-        close(errors_);
-        throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
-                    ffmpeg.string() + " cannot be run: " + std::strerror(error) +
-                        "; install the package ffmpeg anew");
-    }
 }
 
 int VideoEncoder::endAndWait() {
-    if (input_ >= 0) {
-        close(input_);
-        input_ = -1;
-    }
+    input_.close();
     int status = 0;
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
@@ -184,7 +177,7 @@ int VideoEncoder::endAndWait() {
 }
 
 void VideoEncoder::fail(const std::string& why) {
-    const std::string said = lastLine(errors_);
+    const std::string said = lastLine(errors_.number());
     throw Error(ErrorKind::kJobFailed, {film_.string(), ""},
                 "ffmpeg " + why + (said.empty() ? "" : ": " + said) +
                     "; write numbered pictures instead: -o " + film_.stem().string() + "_####.png");
@@ -192,7 +185,7 @@ void VideoEncoder::fail(const std::string& why) {
 
 void VideoEncoder::write(std::span<const std::uint8_t> rgb) {
     while (!rgb.empty()) {
-        const ssize_t written = send(input_, rgb.data(), rgb.size(), MSG_NOSIGNAL);
+        const ssize_t written = send(input_.number(), rgb.data(), rgb.size(), MSG_NOSIGNAL);
         if (written >= 0) {
             rgb = rgb.subspan(std::size_t(written));
         } else if (errno != EINTR) {
