@@ -208,6 +208,10 @@ class Frames(Moving):
         text = self.expect_done("render", "floor.gltf", "--size", "32x18", "--frames", "0:1", "-o",
                                 "a.png").stderr
         self.assertRegex(text, r"each has its own exposure.*--exposure")
+        # Its own, and not that of the frames before.
+        self.expect_done("render", "floor.gltf", "--size", "32x18", "--time", 1 / 24, "-o",
+                         "alone.png")
+        self.assertEqual(self.content("a_0001.png"), self.content("alone.png"))
 
     def test_no_frame_replaces_the_scene(self):
         self.write("floor_0001.png", self.content("floor.gltf"))
