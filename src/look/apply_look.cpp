@@ -5,6 +5,7 @@
 
 #include "base/read_file.h"
 #include "image/read_image.h"
+#include "scene/animation.h"
 
 namespace ribalta {
 namespace {
@@ -138,6 +139,27 @@ void applyLamps(const std::vector<LampChange>& changes, LookLightMaps& lightMaps
             putOut(lamp, scene);
         }
     }
+}
+
+int animationOf(const std::optional<LookTime>& time, const Scene& scene) {
+    if (time && !time->animation.empty()) {
+        for (std::size_t i = 0; i < scene.animations.size(); ++i) {
+            if (scene.animations[i].name == time->animation) {
+                return int(i);
+            }
+        }
+    }
+    return kAllAnimations;
+}
+
+bool poseAt(const std::optional<LookTime>& time, Scene& scene) {
+    if (!time) {
+        restScene(scene);
+        return true;
+    }
+    const int played = animationOf(time, scene);
+    poseScene(scene, time->seconds, played);
+    return time->animation.empty() || played != kAllAnimations;
 }
 
 std::vector<std::string> lampsNotThere(const std::vector<LampChange>& changes, const Scene& scene) {

@@ -48,6 +48,14 @@ class LookLightMaps {
 /// Error(kBadInput) where a light map cannot be read; the lamps before it are changed then.
 void applyLamps(const std::vector<LampChange>& changes, LookLightMaps& lightMaps, Scene& scene);
 
+/// The animation that is played: an index into the scene's, or kAllAnimations, also where it has
+/// none of that name.
+int animationOf(const std::optional<LookTime>& time, const Scene& scene);
+
+/// Poses what is animated as the look has it, or puts it to rest. False where the look names an
+/// animation that the scene does not have: all of them are played then.
+bool poseAt(const std::optional<LookTime>& time, Scene& scene);
+
 /// The changes whose lamp the scene does not have, as "name" or "name (number 2)".
 std::vector<std::string> lampsNotThere(const std::vector<LampChange>& changes, const Scene& scene);
 

@@ -52,11 +52,20 @@ struct SkyLook {
     bool operator==(const SkyLook&) const = default;
 };
 
+/// The moment of a scene's animations.
+struct LookTime {
+    double seconds = 0.0;
+    std::string animation;  ///< its name; empty: all together
+
+    bool operator==(const LookTime&) const = default;
+};
+
 struct Look {
     std::string scene;               ///< name of the file that it was made for
     std::optional<Camera> camera;    ///< none: the scene's first, or one that frames it
     std::vector<Camera> bookmarks;   ///< views of one's own, by name
     std::optional<glm::ivec2> size;  ///< pixels
+    std::optional<LookTime> time;    ///< none: at rest
     std::vector<LampChange> lamps;
     Haze haze;
     BeamSettings beams;

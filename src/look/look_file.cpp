@@ -337,6 +337,27 @@ Json writeSkyOf(const SkyLook& sky) {
     return json;
 }
 
+LookTime readTimeOf(JsonObject& object) {
+    LookTime time;
+    const auto seconds = object.number("seconds", 0.0, 1e9);
+    if (!seconds) {
+        refuse(object.place("seconds"), "is missing; it says when");
+    }
+    time.seconds = *seconds;
+    time.animation = object.text("animation").value_or("");
+    object.refuseOthers();
+    return time;
+}
+
+Json writeTimeOf(const LookTime& time) {
+    Json json;
+    json["seconds"] = time.seconds;
+    if (!time.animation.empty()) {
+        json["animation"] = time.animation;
+    }
+    return json;
+}
+
 void checkVersion(JsonObject& object) {
     const auto version = object.integer("ribalta_look", 1, 1 << 30);
     if (!version) {
@@ -383,6 +404,9 @@ Look readLook(const std::filesystem::path& path) {
     if (const auto size = object.numbers("size", 2, 1.0, kLongestSide)) {
         look.size = glm::ivec2((*size)[0], (*size)[1]);
     }
+    if (std::optional<JsonObject> time = object.object("time")) {
+        look.time = readTimeOf(*time);
+    }
     for (JsonObject& lamp : object.objects("lamps")) {
         look.lamps.push_back(readLampOf(lamp, folder));
     }
@@ -414,6 +438,9 @@ void writeLook(const Look& look, const std::filesystem::path& path) {
     }
     if (look.size) {
         json["size"] = {look.size->x, look.size->y};
+    }
+    if (look.time) {
+        json["time"] = writeTimeOf(*look.time);
     }
     json["lamps"] = Json::array();
     for (const LampChange& lamp : look.lamps) {

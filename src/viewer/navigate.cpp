@@ -30,7 +30,13 @@ struct Bearing {
     }
 };
 
+// A camera that is moved by hand follows its node no more.
+void detach(Viewpoint& view) {
+    view.camera.node = -1;
+}
+
 void aim(Viewpoint& view) {
+    detach(view);
     view.camera.frame = lookAt(view.camera.frame.position, view.pivot);
 }
 
@@ -45,6 +51,12 @@ Viewpoint viewpointOf(const Camera& camera, const Bounds& scene) {
         ahead = std::max({toMiddle, 0.05 * size, 10.0 * camera.nearMetres});
     }
     return {camera, frame.position + ahead * frame.forward()};
+}
+
+void follow(Viewpoint& view, const Frame& frame) {
+    const double distance = view.distance();
+    view.camera.frame = frame;
+    view.pivot = frame.position + distance * frame.forward();
 }
 
 void orbit(Viewpoint& view, glm::dvec2 radians) {
@@ -73,11 +85,13 @@ void pan(Viewpoint& view, glm::dvec2 pixels, glm::ivec2 size) {
     const double metresAPixel = 2.0 * half.y * depth / size.y;
     const Frame& frame = view.camera.frame;
     const glm::dvec3 moved = metresAPixel * (-pixels.x * frame.right() + pixels.y * frame.up());
+    detach(view);
     view.camera.frame.position += moved;
     view.pivot += moved;
 }
 
 void dolly(Viewpoint& view, double factor) {
+    detach(view);
     if (auto* lens = std::get_if<OrthographicLens>(&view.camera.lens)) {
         lens->halfWidth *= factor;
         lens->halfHeight *= factor;
@@ -91,6 +105,7 @@ void walk(Viewpoint& view, const glm::dvec3& metres) {
     const Frame& frame = view.camera.frame;
     const glm::dvec3 moved = metres.x * frame.right() + metres.y * glm::dvec3(0.0, 1.0, 0.0) +
                              metres.z * frame.forward();
+    detach(view);
     view.camera.frame.position += moved;
     view.pivot += moved;
 }
@@ -100,6 +115,7 @@ void frame(Viewpoint& view, const Bounds& bounds, double aspectRatio) {
         return;
     }
     const double radius = std::max(1e-3, glm::length(bounds.halfSize()));
+    detach(view);
     view.pivot = bounds.centre();
     double distance = 2.0 * radius;
     if (auto* lens = std::get_if<OrthographicLens>(&view.camera.lens)) {

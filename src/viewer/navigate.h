@@ -1,4 +1,5 @@
-// Moves of a camera as a person asks for them: around a point, sideways, nearer, on foot. No
+// Moves of a camera as a person asks for them: around a point, sideways, nearer, on foot. One that
+// is moved so follows its node no more. No
 // window.
 #pragma once
 
@@ -20,6 +21,9 @@ struct Viewpoint {
 
 /// The pivot lies ahead in the middle of the scene, as far as the camera sees it.
 Viewpoint viewpointOf(const Camera& camera, const Bounds& scene);
+
+/// Takes the view to where its camera's node has gone; the pivot stays as far ahead.
+void follow(Viewpoint& view, const Frame& frame);
 
 /// Turns around the pivot, `radians` to the right and upwards; the horizon stays level, and the
 /// camera does not tip over the top.

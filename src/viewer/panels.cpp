@@ -9,6 +9,7 @@
 #include <imgui/imgui_stdlib.h>
 
 #include "look/look_settings.h"
+#include "scene/animation.h"
 
 namespace ribalta {
 namespace {
@@ -21,7 +22,7 @@ struct KeyHelp {
     const char* key;
     const char* what;
 };
-constexpr std::array<KeyHelp, 19> kKeys = {{{"left drag", "turn around the middle"},
+constexpr std::array<KeyHelp, 20> kKeys = {{{"left drag", "turn around the middle"},
                                             {"Shift + left, middle drag", "move sideways"},
                                             {"right drag, wheel", "nearer, farther"},
                                             {"Ctrl + left drag", "look around"},
@@ -33,6 +34,7 @@ constexpr std::array<KeyHelp, 19> kKeys = {{{"left drag", "turn around the middl
                                             {"C", "next camera"},
                                             {"O, Shift + O", "chosen lamp on or off; solo"},
                                             {"+, -", "chosen lamp wider, narrower"},
+                                            {"Space", "play, pause"},
                                             {"L", "marks of lamps"},
                                             {"P", "panels"},
                                             {"Z", "statistics"},
@@ -42,7 +44,7 @@ constexpr std::array<KeyHelp, 19> kKeys = {{{"left drag", "turn around the middl
                                             {"Esc", "close"}}};
 
 void choose(ViewerState& state, const StageView& stage, const Camera& camera) {
-    state.view = viewpointOf(camera, stage.bounds());
+    state.view = viewpointOf(stage.posed(camera), stage.bounds());
 }
 
 void drawCameras(ViewerState& state, const StageView& stage) {
@@ -245,6 +247,47 @@ void drawLightPanels(ViewerState& state, const PictureFacts& facts) {
     }
 }
 
+void drawAnimationPanel(ViewerState& state, const StageView& stage) {
+    const Scene& scene = stage.scene();
+    const std::string chosen = state.look.time ? state.look.time->animation : "";
+    if (ImGui::BeginCombo("played", chosen.empty() ? "all together" : chosen.c_str())) {
+        LookTime time = state.look.time.value_or(LookTime{});
+        if (ImGui::Selectable("all together", chosen.empty())) {
+            time.animation.clear();
+            state.look.time = time;
+        }
+        for (const Animation& animation : scene.animations) {
+            if (!animation.name.empty() &&
+                ImGui::Selectable(animation.name.c_str(), animation.name == chosen)) {
+                time.animation = animation.name;
+                state.look.time = time;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    if (ImGui::Button(state.isPlaying ? "pause" : "play")) {
+        state.isPlaying = !state.isPlaying;
+    }
+    ImGui::SameLine();
+    ImGui::Checkbox("loop", &state.loops);
+    ImGui::SameLine();
+    if (ImGui::Button("rest")) {
+        state.look.time.reset();
+        state.isPlaying = false;
+    }
+    const double low = 0.0;
+    const double high = stage.durationSeconds(state.look);
+    double seconds = state.look.time ? state.look.time->seconds : 0.0;
+    if (ImGui::SliderScalar("seconds", ImGuiDataType_Double, &seconds, &low, &high, "%.2f",
+                            ImGuiSliderFlags_AlwaysClamp)) {
+        state.look.time = LookTime{seconds, chosen};
+    }
+    const double slowest = 0.05;
+    const double fastest = 8.0;
+    ImGui::SliderScalar("speed", ImGuiDataType_Double, &state.speed, &slowest, &fastest, "%.2f",
+                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+}
+
 void drawPanels(ViewerState& state, const StageView& stage, const PictureFacts& facts) {
     if (state.showStatistics) {
         drawStatistics(facts, stage);
@@ -269,6 +312,10 @@ void drawPanels(ViewerState& state, const StageView& stage, const PictureFacts& 
     if (ImGui::CollapsingHeader("Lamps", ImGuiTreeNodeFlags_DefaultOpen)) {
         drawLampList(state, stage);
         drawLampPanel(state, stage);
+    }
+    if (!stage.scene().movers.empty() &&
+        ImGui::CollapsingHeader("Animation", ImGuiTreeNodeFlags_DefaultOpen)) {
+        drawAnimationPanel(state, stage);
     }
     drawLightPanels(state, facts);
     ImGui::PopItemWidth();

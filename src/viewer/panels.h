@@ -30,6 +30,9 @@ void drawPanels(ViewerState& state, const StageView& stage, const PictureFacts& 
 void drawLampPanel(ViewerState& state, const StageView& stage);
 void drawLampList(ViewerState& state, const StageView& stage);
 
+/// Play, time, speed, loop, and which animation.
+void drawAnimationPanel(ViewerState& state, const StageView& stage);
+
 /// Haze, quality, exposure and sky.
 void drawLightPanels(ViewerState& state, const PictureFacts& facts);
 

@@ -124,13 +124,18 @@ void Pointer::dragAim(ViewerState& state, const StageView& stage, glm::ivec2 win
     }
 }
 
-bool Pointer::walkByKeys(ViewerState& state, const StageView& stage) const {
+bool Pointer::walkByKeys(const std::vector<KeyPress>& keys, ViewerState& state,
+                         const StageView& stage) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantCaptureKeyboard || io.KeyCtrl) {
-        return false;
+    // Ctrl+S is no step back, also where Ctrl is let go of first.
+    for (const KeyPress& press : keys) {
+        if (!press.control && !io.WantTextInput) {
+            held_.insert(press.key);
+        }
     }
-    const auto axis = [](int less, int more) {
-        return double(ImGui::IsKeyDown(more)) - double(ImGui::IsKeyDown(less));
+    std::erase_if(held_, [](int key) { return !ImGui::IsKeyDown(key); });
+    const auto axis = [this](int less, int more) {
+        return double(held_.contains(more)) - double(held_.contains(less));
     };
     const glm::dvec3 direction(axis(GLFW_KEY_A, GLFW_KEY_D), axis(GLFW_KEY_Q, GLFW_KEY_E),
                                axis(GLFW_KEY_S, GLFW_KEY_W));
@@ -145,8 +150,8 @@ bool Pointer::walkByKeys(ViewerState& state, const StageView& stage) const {
     return true;
 }
 
-void Pointer::steer(ViewerState& state, const StageView& stage, glm::ivec2 window,
-                    glm::vec2 scale) {
+void Pointer::steer(const std::vector<KeyPress>& keys, ViewerState& state, const StageView& stage,
+                    glm::ivec2 window, glm::vec2 scale) {
     const ImGuiIO& io = ImGui::GetIO();
     overPanels_ = io.WantCaptureMouse;
     at_ = glm::dvec2(io.MousePos.x * scale.x, io.MousePos.y * scale.y);
@@ -154,7 +159,7 @@ void Pointer::steer(ViewerState& state, const StageView& stage, glm::ivec2 windo
     if (state.showLamps || state.selected >= 0) {
         drawMarks(state, stage, window, scale);
     }
-    walking_ = walkByKeys(state, stage);
+    walking_ = walkByKeys(keys, state, stage);
     if (overPanels_) {
         aiming_ = false;
         return;
@@ -235,8 +240,11 @@ bool handleCommand(const KeyPress& press, ViewerRequests& requests) {
     return true;
 }
 
+// Known by its node, since an animated one stands elsewhere than in the file.
 Camera nextCamera(const std::vector<Camera>& cameras, const Camera& now) {
-    const auto found = std::find(cameras.begin(), cameras.end(), now);
+    const auto found = std::find_if(cameras.begin(), cameras.end(), [&](const Camera& camera) {
+        return camera.node >= 0 && camera.node == now.node;
+    });
     const bool isLast = found == cameras.end() || found + 1 == cameras.end();
     return isLast ? cameras.front() : *(found + 1);
 }
@@ -275,9 +283,12 @@ void handleSceneKey(const KeyPress& press, ViewerState& state, const StageView& 
     if (press.key == GLFW_KEY_ENTER) {
         const Camera home =
             cameras.empty() ? makeFramingCamera(stage.bounds(), aspectRatio) : cameras.front();
-        state.view = viewpointOf(home, stage.bounds());
+        state.view = viewpointOf(stage.posed(home), stage.bounds());
     } else if (press.key == GLFW_KEY_C && !cameras.empty()) {
-        state.view = viewpointOf(nextCamera(cameras, state.view.camera), stage.bounds());
+        state.view =
+            viewpointOf(stage.posed(nextCamera(cameras, state.view.camera)), stage.bounds());
+    } else if (press.key == GLFW_KEY_SPACE) {
+        toggle(state.isPlaying);
     } else if (press.key == GLFW_KEY_F) {
         frame(state.view, boundsToFrame(stage, lamp), aspectRatio);
     } else if (press.key == GLFW_KEY_O && lamp != nullptr) {

@@ -5,6 +5,8 @@
 
 #include <epoxy/gl.h>
 
+#include "scene/animation.h"
+
 namespace ribalta {
 namespace {
 
@@ -34,11 +36,24 @@ std::vector<std::filesystem::path> StageView::files() const {
     return files;
 }
 
+double StageView::durationSeconds(const Look& look) const {
+    return ribalta::durationSeconds(scene(), animationOf(look.time, scene()));
+}
+
+Camera StageView::posed(const Camera& camera) const {
+    Camera moved = camera;
+    if (camera.node >= 0) {
+        moved.frame = rigidFrame(scene().nodes[std::size_t(camera.node)].worldFromLocal);
+    }
+    return moved;
+}
+
 void StageView::bring(const Look& look) {
     Scene& scene = loaded_.scene;
     scene.spotLights = asLoaded_.spotLights;
     scene.pointLights = asLoaded_.pointLights;
     scene.directionalLights = asLoaded_.directionalLights;
+    poseAt(look.time, scene);
     applyLamps(look.lamps, lightMaps_, scene);
 }
 

@@ -32,8 +32,14 @@ class StageView {
     /// What the file itself says of a lamp, which a look may change.
     double intensityInFile(const LampId& lamp) const { return intensityOf(asLoaded_, lamp); }
 
-    /// Brings the look's lamps to the scene. Throws Error(kBadInput) where a light map cannot be
-    /// read; the lamps are as the file has them then, but for those before it.
+    /// Of the animation that the look plays, or of all together.
+    double durationSeconds(const Look& look) const;
+    /// Where a camera stands as its node is posed; one without a node stays.
+    Camera posed(const Camera& camera) const;
+
+    /// Poses the scene at the look's time and brings the look's lamps to it. Throws
+    /// Error(kBadInput) where a light map cannot be read; the lamps are as the file has them then,
+    /// but for those before it.
     void bring(const Look& look);
     /// Reads a light map of a look anew when it is next brought.
     void forgetLightMap(const std::filesystem::path& file) { lightMaps_.forget(file); }

@@ -80,6 +80,7 @@ class Viewer {
     void drawInterface();
     void drawPicture();
     void drawStill(const FrameSettings& still);
+    void playOn();
     double secondsToWait() const;
     std::string busy() const;
     std::string probe() const;
@@ -91,6 +92,9 @@ class Viewer {
     BackgroundLoader loader_;
     std::unique_ptr<StageView> stage_;
     ViewerState state_;
+    std::vector<std::filesystem::path> watched_;  ///< of the scene and its light maps
+    Clock::time_point lastFrame_ = Clock::now();
+    bool played_ = false;  ///< in the frame before
     Look broughtLook_;
     Look savedLook_;  ///< as the look's file has it, where the window wrote it
     Pointer pointer_;
@@ -120,7 +124,8 @@ Viewer::Viewer(ViewerOptions options)
 }
 
 void Viewer::watchFiles() {
-    std::vector<std::filesystem::path> files = stage_->files();
+    watched_ = stage_->files();
+    std::vector<std::filesystem::path> files = watched_;
     if (!state_.lookFile.empty() && std::filesystem::exists(state_.lookFile)) {
         files.push_back(state_.lookFile);
     }
@@ -158,7 +163,7 @@ void Viewer::show(BackgroundLoader::Result result) {
                               : scene.cameras.empty()
                                   ? makeFramingCamera(stage_->bounds(), aspectRatio)
                                   : scene.cameras.front();
-        state_.view = viewpointOf(camera, stage_->bounds());
+        state_.view = viewpointOf(stage_->posed(camera), stage_->bounds());
         state_.selected = -1;
         state_.lookFile =
             isFirst && !options_.lookFile.empty() ? options_.lookFile : lookBeside(result.path);
@@ -188,7 +193,6 @@ void Viewer::show(BackgroundLoader::Result result) {
 void Viewer::bringLook() {
     try {
         stage_->bring(state_.look);
-        broughtLook_ = state_.look;
     } catch (const Error& error) {
         state_.sayError(error.what());
         for (LampChange& change : state_.look.lamps) {
@@ -197,10 +201,15 @@ void Viewer::bringLook() {
             }
         }
         stage_->bring(state_.look);
-        broughtLook_ = state_.look;
     }
+    if (state_.look.time != broughtLook_.time) {
+        follow(state_.view, stage_->posed(state_.view.camera).frame);
+    }
+    broughtLook_ = state_.look;
     ++lampsNow_;
-    watchFiles();
+    if (stage_->files() != watched_) {
+        watchFiles();
+    }
 }
 
 void Viewer::takeLoaded() {
@@ -266,6 +275,7 @@ void Viewer::takeDropped() {
 
 void Viewer::saveLook() {
     Look look = state_.look;
+    state_.isPlaying = false;
     std::erase_if(look.lamps, [](const LampChange& change) { return change.isIdle(); });
     look.camera = state_.view.camera;
     look.size = window_.pixels();
@@ -274,7 +284,9 @@ void Viewer::saveLook() {
         // What the file says, to the last digit, is what is shown from now on.
         savedLook_ = readLook(state_.lookFile);
         state_.look = savedLook_;
+        const int node = state_.view.camera.node;
         state_.view.camera = *savedLook_.camera;
+        state_.view.camera.node = node;
         state_.say("saved " + state_.lookFile.string());
     } catch (const Error& error) {
         state_.sayError(error.what());
@@ -439,19 +451,20 @@ void Viewer::drawPicture() {
 
 void Viewer::drawInterface() {
     window_.beginFrame();
+    const std::vector<KeyPress> keys = window_.takeKeys();
     if (stage_) {
-        pointer_.steer(state_, *stage_, window_.pixels(), window_.pixelScale());
+        pointer_.steer(keys, state_, *stage_, window_.pixels(), window_.pixelScale());
         facts_.probe = probe();
         drawPanels(state_, *stage_, facts_);
     }
-    handleKeys(window_.takeKeys(), state_, stage_.get(), window_.pixels());
+    handleKeys(keys, state_, stage_.get(), window_.pixels());
     drawHelp(state_);
     drawMessages(state_, busy());
 }
 
 // Nothing needs drawing: until something comes. Otherwise until the picture is to be refined.
 double Viewer::secondsToWait() const {
-    if (unsettled_ > 0 || pointer_.isWalking()) {
+    if (unsettled_ > 0 || pointer_.isWalking() || state_.isPlaying) {
         return 0.0;
     }
     double seconds = std::numeric_limits<double>::infinity();
@@ -465,6 +478,15 @@ double Viewer::secondsToWait() const {
     return loader_.reading() ? std::min(seconds, 0.25) : seconds;
 }
 
+void Viewer::playOn() {
+    const double elapsed = secondsSince(std::exchange(lastFrame_, Clock::now()));
+    // The first frame after a pause shows the moment at which it was paused.
+    const bool played = std::exchange(played_, state_.isPlaying);
+    if (stage_ && state_.isPlaying) {
+        state_.play(played ? elapsed : 0.0, stage_->durationSeconds(state_.look));
+    }
+}
+
 ViewerStats Viewer::run() {
     while (!window_.isClosing()) {
         const bool came = window_.takeEvents(secondsToWait());
@@ -475,6 +497,7 @@ ViewerStats Viewer::run() {
         drawInterface();
         carryOut(state_.requests);
         const glm::ivec2 size = window_.pixels();
+        playOn();
         if (stage_ && size.x > 0 && size.y > 0) {
             if (state_.look != broughtLook_) {
                 bringLook();

@@ -1,6 +1,7 @@
 #include "viewer/viewer_state.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/log.h"
 
@@ -14,6 +15,24 @@ constexpr seconds kShown(5);
 constexpr seconds kErrorShown(15);
 
 }  // namespace
+
+void ViewerState::play(double elapsed, double duration) {
+    if (!isPlaying || !(duration > 0.0)) {
+        isPlaying = false;
+        return;
+    }
+    if (!look.time) {
+        look.time.emplace();
+    }
+    double& seconds = look.time->seconds;
+    seconds += elapsed * speed;
+    if (seconds > duration && loops) {
+        seconds = std::fmod(seconds, duration);
+    } else if (seconds > duration) {
+        seconds = duration;
+        isPlaying = false;
+    }
+}
 
 void ViewerState::say(const std::string& text) {
     logNote(text);

@@ -33,6 +33,9 @@ struct ViewerState {
     Look look;  ///< but for its camera, which is that of `view` when it is saved
     Viewpoint view;
     int selected = -1;  ///< into StageView::lamps()
+    bool isPlaying = false;
+    bool loops = true;
+    double speed = 1.0;
     bool showPanels = true;
     bool showHelp = false;
     bool showStatistics = true;
@@ -41,6 +44,10 @@ struct ViewerState {
     std::filesystem::path lookFile;
     std::vector<ViewerMessage> messages;
     ViewerRequests requests;
+
+    /// Lets `elapsed` seconds of the animation pass, where it is being played; `duration` seconds
+    /// long, it starts anew or stops at its end.
+    void play(double elapsed, double duration);
 
     /// Shows a line for some seconds, errors for longer, and writes it to the log.
     void say(const std::string& text);

@@ -136,6 +136,34 @@ def add_node(scene, **node):
     scene["nodes"].append(node)
 
 
+def make_moving_floor():
+    """In 1 s the lamp swings to the side and back, the floor rises and the camera comes nearer."""
+    scene = make_floor()
+
+    def accessor(kind, width, numbers):
+        content = struct.pack(f"<{len(numbers)}f", *numbers)
+        scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
+        scene["bufferViews"].append({"buffer": len(scene["buffers"]) - 1,
+                                     "byteLength": len(content)})
+        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "type": kind,
+                                   "componentType": 5126, "count": len(numbers) // width})
+        return len(scene["accessors"]) - 1
+
+    def animation(name, node, times, places):
+        index = next(i for i, each in enumerate(scene["nodes"]) if each["name"] == node)
+        sampler = {"input": accessor("SCALAR", 1, times), "output": accessor("VEC3", 3, places)}
+        target = {"node": index, "path": "translation"}
+        return {"name": name, "samplers": [sampler],
+                "channels": [{"sampler": 0, "target": target}]}
+
+    scene["animations"] = [
+        animation("swing", "lamp", [0, 0.5, 1], [0, 5, 0, 1.5, 5, 0, 0, 5, 0]),
+        animation("rise", "floor", [0, 1], [0, 0, 0, 0, 0.5, 0]),
+        animation("dolly", "side", [0, 1], [0, 2, 8, 0.5, 2, 6]),
+    ]
+    return scene
+
+
 def add_texture(scene, uri):
     """Paints the floor with a picture that glows by itself."""
     scene["images"] = [{"uri": uri}]

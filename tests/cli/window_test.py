@@ -10,7 +10,8 @@ import subprocess
 import time
 import unittest
 
-from command import NO_OPENGL, PROGRAM, CommandTest, add_node, make_floor, make_png, read_png
+from command import (NO_OPENGL, PROGRAM, CommandTest, add_node, make_floor, make_moving_floor,
+                     make_png, read_png)
 from desktop import Desktop, wait_until
 
 WIDTH, HEIGHT = 640, 360
@@ -196,6 +197,28 @@ class AnEvening(WindowTest):
         home = self.save_look("floor.look.json")["camera"]
         self.assertEqual(home["position"], [0, 2, 8])
         self.close()
+
+
+class Animation(WindowTest):
+    def test_play_and_keep_a_moment(self):
+        self.write_scene("floor.gltf", make_moving_floor())
+        self.open("floor.gltf")
+        self.assertNotIn("time", self.save_look("floor.look.json"))
+        before = self.save_picture("floor_001.png")
+        self.press("space")
+
+        def moment():
+            look = self.save_look("floor.look.json")  # which pauses
+            if 0.05 < look["time"]["seconds"] < 0.95:
+                return look
+            self.press("space")
+            return None
+        look = wait_until("a moment of the animation", moment)
+        # The camera goes from 8 m to 6 m in a second.
+        self.assertAlmostEqual(look["camera"]["position"][2], 8 - 2 * look["time"]["seconds"], 5)
+        self.assertNotEqual(before, self.save_picture("floor_002.png"))
+        self.close()
+        self.expect_same_picture("floor.look.json", "floor_002.png")
 
 
 class LiveReload(WindowTest):

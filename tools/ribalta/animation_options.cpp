@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "look/apply_look.h"
 #include "options.h"
 #include "parse_number.h"
 
@@ -109,9 +110,13 @@ int AnimationOptions::chosen(const Scene& scene) const {
                     (there.empty() ? "the file has none" : "there are: " + there));
 }
 
-void AnimationOptions::pose(Scene& scene) const {
+void AnimationOptions::pose(Scene& scene, const std::optional<LookTime>& otherwise) const {
     const std::optional<FrameRange> film = range();
     if (!time && !film) {
+        if (!poseAt(otherwise, scene)) {
+            logWarning("look: the scene has no animation '" + oneLine(otherwise->animation) +
+                       "'; all of them are played");
+        }
         return;
     }
     const int played = chosen(scene);

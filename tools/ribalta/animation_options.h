@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "look/look.h"
 #include "scene/scene.h"
 
 namespace CLI {
@@ -41,8 +42,8 @@ struct AnimationOptions {
     /// Error(kUsage) that says which there are.
     int chosen(const Scene& scene) const;
     /// Poses the scene as --time asks, or as the first frame does; leaves it at rest without
-    /// either. Says on stderr where there is nothing to play.
-    void pose(Scene& scene) const;
+    /// either, or at `otherwise`. Says on stderr where there is nothing to play.
+    void pose(Scene& scene, const std::optional<LookTime>& otherwise = {}) const;
 };
 
 }  // namespace ribalta

@@ -1,9 +1,10 @@
 #include "look_options.h"
 
+#include <utility>
+
 #include <CLI/CLI.hpp>
 
 #include "base/log.h"
-#include "look/apply_look.h"
 #include "look/look_file.h"
 
 namespace ribalta {
@@ -20,14 +21,13 @@ Look LookOptions::read() const {
     return file ? readLook(*file) : Look{};
 }
 
-void bringLook(const Look& look, LoadedScene& loaded) {
-    for (const std::string& lamp : lampsNotThere(look.lamps, loaded.scene)) {
+BroughtLook::BroughtLook(Look look, LoadedScene& loaded) : look_(std::move(look)) {
+    for (const std::string& lamp : lampsNotThere(look_.lamps, loaded.scene)) {
         logWarning("look: the scene has no lamp '" + oneLine(lamp) +
                    "'; what the look changes of it is left out");
     }
-    LookLightMaps lightMaps;
-    applyLamps(look.lamps, lightMaps, loaded.scene);
-    for (std::filesystem::path& file : lightMaps.files()) {
+    bring(loaded.scene);
+    for (std::filesystem::path& file : lightMaps_.files()) {
         loaded.files.push_back(std::move(file));
     }
 }

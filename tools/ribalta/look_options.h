@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gltf/load_gltf.h"
+#include "look/apply_look.h"
 #include "look/look.h"
 
 namespace CLI {
@@ -24,8 +25,19 @@ struct LookOptions {
     Look read() const;
 };
 
-/// Changes the scene's lamps as the look has it, adds the files that it reads to the scene's, and
-/// says on stderr which lamps the scene lacks. Throws Error(kBadInput).
-void bringLook(const Look& look, LoadedScene& loaded);
+/// A look's changes of a scene's lamps, to be made anew whenever the scene has been posed.
+class BroughtLook {
+  public:
+    /// Changes the lamps, adds the files that are read for it to the scene's, and says on stderr
+    /// which lamps the scene lacks. Throws Error(kBadInput).
+    BroughtLook(Look look, LoadedScene& loaded);
+
+    /// Changes the lamps of the same scene again.
+    void bring(Scene& scene) { applyLamps(look_.lamps, lightMaps_, scene); }
+
+  private:
+    Look look_;
+    LookLightMaps lightMaps_;
+};
 
 }  // namespace ribalta

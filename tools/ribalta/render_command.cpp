@@ -206,8 +206,8 @@ void render(RenderOptions& options) {
     }
 
     LoadedScene loaded = loadScene(options.scene);
-    options.animation.pose(loaded.scene);
-    bringLook(look, loaded);
+    options.animation.pose(loaded.scene, look.time);
+    BroughtLook broughtLook(look, loaded);
     if (options.look.file) {
         loaded.files.emplace_back(*options.look.file);
     }
@@ -240,7 +240,8 @@ void render(RenderOptions& options) {
 
     if (frames) {
         renderFrames({loaded.scene, renderer, camera, settings, outputs, *frames,
-                      options.animation.chosen(loaded.scene), options.animation.fresh});
+                      options.animation.chosen(loaded.scene), options.animation.fresh,
+                      [&](Scene& scene) { broughtLook.bring(scene); }});
         tellOfPlan(renderer.lastPlan());
         return;
     }

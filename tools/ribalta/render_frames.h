@@ -1,6 +1,8 @@
 // The frames of an animation, drawn one after the other by one renderer.
 #pragma once
 
+#include <functional>
+
 #include "animation_options.h"
 #include "render/renderer.h"
 #include "render_outputs.h"
@@ -21,6 +23,7 @@ struct FramesJob {
     FrameRange range;
     int animation = kAllAnimations;
     bool fresh = false;  ///< pictures that are there are drawn anew
+    std::function<void(Scene&)> afterPose = [](Scene&) {};  ///< what else is changed then
 };
 
 /// Draws and writes all frames whose pictures are not there and whole yet; a film takes all of

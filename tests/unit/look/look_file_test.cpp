@@ -30,6 +30,7 @@ Look fullLook(const TestFolder& folder) {
     look.bookmarks[0].lens = OrthographicLens{2.0, 1.0};
     look.bookmarks[0].farMetres = 10.0;
     look.size = glm::ivec2(1280, 721);
+    look.time = LookTime{2.375, "pan"};
     LampChange spot;
     spot.name = "Spot \"1\" \xc3\xa4";
     spot.number = 2;
@@ -154,6 +155,8 @@ TEST(LookFile, WhatIsWrongIsNamed) {
         {R"({"ribalta_look": 1, "sky": {"model": "x"}})", {"/sky/model", "bruneton"}},
         {R"({"ribalta_look": 1, "sky": {"sun_azimuth_degrees": 1}})",
          {"/sky/sun_elevation_degrees", "missing"}},
+        {R"({"ribalta_look": 1, "time": {"animation": "pan"}})", {"/time/seconds", "missing"}},
+        {R"({"ribalta_look": 1, "time": {"seconds": -1}})", {"/time/seconds", "-1"}},
         {R"({"ribalta_look": 1, "lamps": {}})", {"/lamps", "array of objects"}},
         {R"({"ribalta_look": 1, "lamps": [{}]})", {"/lamps/0/name", "missing"}},
         {R"({"ribalta_look": 1, "lamps": [{"name": "a", "on": 1}]})", {"/lamps/0/on", "true"}},
