@@ -1,5 +1,6 @@
 // Surfaces: metallic-roughness shading under all lamps, seen through the haze. Writes luminance in
-// cd/m2 by channel. Beams are added by a pass of their own.
+// cd/m2 by channel; with ILLUMINANCE what falls on them in lux by channel instead. Beams are added by a
+// pass of their own.
 #include "shared/slots.h"
 #include "shared/view.h"
 #include "shared/lamp.h"
@@ -143,12 +144,16 @@ vec3 reflected(Surface surface, vec3 towardsLamp) {
     if (nDotL <= 0.0) {
         return vec3(0.0);
     }
+#ifdef ILLUMINANCE
+    return vec3(nDotL);
+#else
     // A shading normal may look away from the eye near a silhouette; light it as if edge on.
     float nDotV = max(dot(surface.normal, surface.towardsEye), 1.0e-4);
     vec3 halfway = normalize(towardsLamp + surface.towardsEye);
     return nDotL * metallicRoughnessBrdf(surface.baseColor, surface.metallic, surface.roughness,
                                          nDotL, nDotV, clamp(dot(surface.normal, halfway), 0.0, 1.0),
                                          clamp(dot(surface.towardsEye, halfway), 0.0, 1.0));
+#endif
 }
 
 /// 0..1: how much of the lamp the point sees, over 3x3 texels with a smooth edge. The point is moved
@@ -268,6 +273,9 @@ vec3 ambientLight(Surface surface) {
 #ifdef SKY
     light += daylight(surface.normal);
 #endif
+#ifdef ILLUMINANCE
+    return light;
+#endif
     return albedo * light * (kInversePi * surface.occlusion);
 }
 
@@ -282,8 +290,16 @@ void main() {
     surface.alpha = 1.0;
 #endif
 
+#ifdef ILLUMINANCE
+    surface.emission = vec3(0.0);
+    surface.alpha = 1.0;
+    bool unlit = false;
+#else
+    bool unlit = (material.flags.x & kUnlitFlag) != 0;
+#endif
+
     vec3 sum;
-    if ((material.flags.x & kUnlitFlag) != 0) {
+    if (unlit) {
         sum = surface.baseColor;
     } else {
         sum = surface.emission + ambientLight(surface) +
@@ -308,7 +324,11 @@ void main() {
     vec3 origin = view.halfExtent.z > 0.5 ? vec3(viewPosition.xy, 0.0) : vec3(0.0);
     eyeMetres = metresOfHaze(origin, -surface.towardsEye, eyeMetres);
 #endif
+#ifdef ILLUMINANCE
+    radiance = vec4(sum, 1.0);
+#else
     radiance = vec4(sum * transmittance(view.haze.y, eyeMetres), surface.alpha);
+#endif
 #ifdef NORMAL_OUTPUT
     normalOutput = vec4(surface.normal, 1.0);
 #endif

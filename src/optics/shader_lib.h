@@ -52,6 +52,7 @@ using vec4 = glm::dvec4;
 #include "lib/shadow_projection.glsl"
 #include "lib/tonemap.glsl"
 #include "lib/auto_exposure.glsl"
+#include "lib/false_color.glsl"
 #include "lib/air.glsl"
 #include "lib/air_shell.glsl"
 #include "lib/chapman.glsl"

@@ -283,11 +283,14 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
         plan.sunShadow = planSunShadow(scene, *settings.sky, camera, settings.width,
                                        settings.height, plan.draws, visible, cache.sunShadow);
     }
-    if (settings.haze.scatteringPerMetre > 0.0) {
+    if (settings.haze.scatteringPerMetre > 0.0 && !settings.illuminance) {
         planBeams(scene, outlines, cache, plan);
     }
     if (settings.display) {
-        plan.tonemap = TonemapWork{settings.ev100};
+        plan.tonemap = TonemapWork{settings.ev100, {}};
+        if (settings.illuminance) {
+            plan.tonemap->highestLux = settings.illuminance->highestLux;
+        }
     }
     return plan;
 }
@@ -355,7 +358,7 @@ std::string FramePlan::describe() const {
         add((planes ? "beams_planes[" : "beams[") + std::to_string(beams->lamps.size()) + "]");
     }
     if (tonemap) {
-        add(tonemap->ev100 ? "tonemap" : "exposure tonemap");
+        add(tonemap->highestLux ? "false_color" : tonemap->ev100 ? "tonemap" : "exposure tonemap");
     }
     return line.empty() ? "nothing" : line;
 }

@@ -79,7 +79,8 @@ struct BeamsWork {
 };
 
 struct TonemapWork {
-    std::optional<double> ev100;  ///< none: found from the picture
+    std::optional<double> ev100;       ///< none: found from the picture
+    std::optional<double> highestLux;  ///< of false colours instead
 };
 
 struct FramePlan {

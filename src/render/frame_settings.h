@@ -45,6 +45,13 @@ struct BeamSettings {
     double usedTolerance() const { return tolerance.value_or(std::min(0.8 / planes, 0.1)); }
 };
 
+/// The light that falls on surfaces, in place of the light that they send to the eye.
+struct IlluminanceView {
+    double highestLux = 10000.0;  ///< of the screen's false colours
+
+    bool operator==(const IlluminanceView&) const = default;
+};
+
 struct FrameSettings {
     int width = 1280;  ///< pixels
     int height = 720;
@@ -53,10 +60,12 @@ struct FrameSettings {
     std::optional<SkyDrawing> sky;  ///< none: black behind everything
     double ambientLux = 1.0;        ///< even light from all around
     std::optional<double> ev100;    ///< exposure; none: found from the picture
-    bool display = true;            ///< make the exposed, tone-mapped 8-bit picture
-    bool beamsOutput = false;       ///< keep the beams apart as well
-    bool normalOutput = false;      ///< keep the surfaces' normals
-    bool countRuns = false;         ///< count what the shadow maps' pyramid saves, slowly
+    /// Colours are lux by channel then, without haze, beams and sky before or behind them.
+    std::optional<IlluminanceView> illuminance;
+    bool display = true;        ///< make the exposed, tone-mapped 8-bit picture
+    bool beamsOutput = false;   ///< keep the beams apart as well
+    bool normalOutput = false;  ///< keep the surfaces' normals
+    bool countRuns = false;     ///< count what the shadow maps' pyramid saves, slowly
 
     bool operator==(const FrameSettings&) const = default;
 };

@@ -80,7 +80,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         madeOnFirstUse(forward_).draw(*plan_.forward, scene_, plan_, gpuScene_, gpuFrame_,
                                       shadowMaps(), *targets_);
     }
-    if (plan_.sky) {
+    if (plan_.sky && !settings.illuminance) {
         timer_.begin("sky");
         const DebugGroup group("sky");
         sky_->draw(*plan_.sky, plan_, *targets_);
@@ -90,7 +90,11 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         const DebugGroup group("beams");
         drawBeams(*plan_.beams);
     }
-    if (plan_.tonemap) {
+    if (plan_.tonemap && plan_.tonemap->highestLux) {
+        timer_.begin("false_color");
+        const DebugGroup group("false_color");
+        madeOnFirstUse(falseColor_).draw(*plan_.tonemap->highestLux, *targets_);
+    } else if (plan_.tonemap) {
         timer_.begin("tonemap");
         const DebugGroup group("tonemap");
         madeOnFirstUse(exposure_).draw(plan_.tonemap->ev100, targets_->color);
@@ -144,7 +148,8 @@ std::uint64_t Renderer::beamSamples() const {
 }
 
 std::optional<double> Renderer::ev100() const {
-    return plan_.tonemap ? std::optional<double>(exposure_->ev100()) : std::nullopt;
+    return plan_.tonemap && !plan_.tonemap->highestLux ? std::optional<double>(exposure_->ev100())
+                                                       : std::nullopt;
 }
 
 }  // namespace ribalta

@@ -15,6 +15,7 @@
 #include "render/passes/beams_adaptive.h"
 #include "render/passes/beams_clipped.h"
 #include "render/passes/beams_planes.h"
+#include "render/passes/false_color.h"
 #include "render/passes/forward.h"
 #include "render/passes/shadow_map.h"
 #include "render/passes/shadow_pyramid.h"
@@ -90,6 +91,7 @@ class Renderer {
     std::optional<PlaneBeamsPass> planeBeams_;
     std::optional<ExposureMeter> exposure_;
     std::optional<TonemapPass> tonemap_;
+    std::optional<FalseColorPass> falseColor_;
 };
 
 }  // namespace ribalta

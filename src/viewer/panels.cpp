@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_stdlib.h>
 
 #include "look/look_settings.h"
+#include "optics/shader_lib.h"
 #include "scene/animation.h"
 
 namespace ribalta {
@@ -22,7 +24,7 @@ struct KeyHelp {
     const char* key;
     const char* what;
 };
-constexpr std::array<KeyHelp, 20> kKeys = {{{"left drag", "turn around the middle"},
+constexpr std::array<KeyHelp, 21> kKeys = {{{"left drag", "turn around the middle"},
                                             {"Shift + left, middle drag", "move sideways"},
                                             {"right drag, wheel", "nearer, farther"},
                                             {"Ctrl + left drag", "look around"},
@@ -35,6 +37,7 @@ constexpr std::array<KeyHelp, 20> kKeys = {{{"left drag", "turn around the middl
                                             {"O, Shift + O", "chosen lamp on or off; solo"},
                                             {"+, -", "chosen lamp wider, narrower"},
                                             {"Space", "play, pause"},
+                                            {"I", "illuminance in false colours"},
                                             {"L", "marks of lamps"},
                                             {"P", "panels"},
                                             {"Z", "statistics"},
@@ -189,6 +192,16 @@ void drawExposure(ViewerState& state, const PictureFacts& facts) {
         ImGui::SliderScalar("EV100", ImGuiDataType_Double, &*state.look.ev100, &low, &high, "%.2f",
                             ImGuiSliderFlags_AlwaysClamp);
     }
+    bool lux = state.highestLux.has_value();
+    if (ImGui::Checkbox("illuminance in false colours", &lux)) {
+        state.highestLux = lux ? std::optional<double>(IlluminanceView{}.highestLux) : std::nullopt;
+    }
+    if (state.highestLux) {
+        const double least = 1.0;
+        const double most = 2e5;
+        ImGui::SliderScalar("up to lx", ImGuiDataType_Double, &*state.highestLux, &least, &most,
+                            "%.0f", ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    }
     const double low = 0.0;
     const double high = 1000.0;
     ImGui::SliderScalar("ambient lx", ImGuiDataType_Double, &state.look.ambientLux, &low, &high,
@@ -320,6 +333,37 @@ void drawPanels(ViewerState& state, const StageView& stage, const PictureFacts& 
     drawLightPanels(state, facts);
     ImGui::PopItemWidth();
     ImGui::End();
+}
+
+void drawLegend(const ViewerState& state) {
+    if (!state.highestLux) {
+        return;
+    }
+    constexpr int kSteps = 60;
+    constexpr float kHeight = 180.0F;
+    constexpr float kWidth = 16.0F;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 foot(kMargin, 0.62F * screen.y + 0.5F * kHeight);
+    list.AddRectFilled({foot.x - 4.0F, foot.y - kHeight - 12.0F},
+                       {foot.x + kWidth + 80.0F, foot.y + 10.0F}, IM_COL32(0, 0, 0, 160), 4.0F);
+    for (int step = 0; step < kSteps; ++step) {
+        const glm::dvec3 color = shader::falseColor((step + 0.5) / kSteps);
+        const float top = foot.y - kHeight * float(step + 1) / kSteps;
+        list.AddRectFilled(
+            {foot.x, top}, {foot.x + kWidth, top + kHeight / kSteps + 1.0F},
+            ImGui::ColorConvertFloat4ToU32({float(color.x), float(color.y), float(color.z), 1.0F}));
+    }
+    // A label for each decade and between, on the scale of the colours' own function.
+    for (int label = 0; label <= 6; ++label) {
+        const double share = label / 6.0;
+        const double lux =
+            *state.highestLux * std::pow(10.0, shader::kFalseColorDecades * (share - 1.0));
+        char text[32];
+        std::snprintf(text, sizeof text, lux >= 10.0 ? "%.0f lx" : "%.2g lx", lux);
+        list.AddText({foot.x + kWidth + 6.0F, foot.y - kHeight * float(share) - 8.0F},
+                     IM_COL32_WHITE, text);
+    }
 }
 
 void drawHelp(ViewerState& state) {

@@ -36,6 +36,9 @@ void drawAnimationPanel(ViewerState& state, const StageView& stage);
 /// Haze, quality, exposure and sky.
 void drawLightPanels(ViewerState& state, const PictureFacts& facts);
 
+/// What the false colours mean, where they are shown.
+void drawLegend(const ViewerState& state);
+
 /// Keys and what they do.
 void drawHelp(ViewerState& state);
 

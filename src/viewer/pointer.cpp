@@ -216,6 +216,11 @@ void handleKey(const KeyPress& press, ViewerState& state) {
         case GLFW_KEY_Z:
             toggle(state.showStatistics);
             break;
+        case GLFW_KEY_I:
+            state.highestLux = state.highestLux
+                                   ? std::nullopt
+                                   : std::optional<double>(IlluminanceView{}.highestLux);
+            break;
         case GLFW_KEY_L:
             toggle(state.showLamps);
             break;

@@ -383,13 +383,17 @@ std::string Viewer::probe() const {
     const glm::ivec2 pixel(int(share.x * facts_.size.x),
                            facts_.size.y - 1 - int(share.y * facts_.size.y));
     char text[96];
-    std::snprintf(text, sizeof text, "%.4g cd/m2", luminance(stage_->lightAt(pixel)));
+    std::snprintf(text, sizeof text, state_.highestLux ? "%.4g lx" : "%.4g cd/m2",
+                  luminance(stage_->lightAt(pixel)));
     return text;
 }
 
 FrameSettings Viewer::stillSettings() const {
     FrameSettings settings = frameSettings(state_.look, stage_->scene());
     const glm::ivec2 size = window_.pixels();
+    if (state_.highestLux) {
+        settings.illuminance = IlluminanceView{*state_.highestLux};
+    }
     settings.width = std::max(1, size.x);
     settings.height = std::max(1, size.y);
     return settings;
@@ -455,6 +459,7 @@ void Viewer::drawInterface() {
     if (stage_) {
         pointer_.steer(keys, state_, *stage_, window_.pixels(), window_.pixelScale());
         facts_.probe = probe();
+        drawLegend(state_);
         drawPanels(state_, *stage_, facts_);
     }
     handleKeys(keys, state_, stage_.get(), window_.pixels());

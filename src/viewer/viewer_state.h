@@ -36,6 +36,7 @@ struct ViewerState {
     bool isPlaying = false;
     bool loops = true;
     double speed = 1.0;
+    std::optional<double> highestLux;  ///< shows illuminance in false colours up to this
     bool showPanels = true;
     bool showHelp = false;
     bool showStatistics = true;

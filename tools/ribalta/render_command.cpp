@@ -49,6 +49,7 @@ struct RenderOptions {
     AnimationOptions animation;
     std::optional<std::string> exposure;
     std::optional<double> ambient;
+    std::optional<double> illuminance;
     std::string layers;
     std::string stats;
     int repeat = 1;
@@ -71,6 +72,9 @@ FrameSettings settingsFrom(const RenderOptions& options, const Look& look,
     settings.ev100 = options.exposure ? parseExposure(*options.exposure) : look.ev100;
     if (settings.beams.eightBitBlending && !settings.ev100) {
         throw CLI::ValidationError("--eight-bit", "needs an exposure: give --exposure EV100");
+    }
+    if (options.illuminance) {
+        settings.illuminance = IlluminanceView{*options.illuminance};
     }
     settings.display = outputs.wantsDisplay();
     settings.beamsOutput = outputs.layers.beams;
@@ -289,6 +293,12 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
                     "(default: auto)")
         ->type_name("EV100|auto");
     addAmbientOption(command, options.ambient);
+    command
+        .add_option("--illuminance", options.illuminance,
+                    "show what light falls on surfaces: the .exr holds lux by channel, the .png "
+                    "false colours over three decades up to LUX")
+        ->type_name("LUX")
+        ->check(expectPositive, "");
     command
         .add_option("--aov", options.layers,
                     "more layers of the .exr, by comma: beams, transmittance, depth, normal")

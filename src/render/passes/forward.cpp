@@ -24,6 +24,9 @@ const Program& ForwardPass::program(const Variant& variant) {
         if (variant.sky) {
             defines.emplace_back("SKY");
         }
+        if (variant.illuminance) {
+            defines.emplace_back("ILLUMINANCE");
+        }
         if (variant.sunShadow) {
             defines.emplace_back("SUN_SHADOW");
         }
@@ -39,9 +42,9 @@ void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuS
     const glm::dmat4& worldFromLocal = scene.nodes[std::size_t(item.node)].worldFromLocal;
 
     PipelineState state;
-    state.program =
-        &program({gpuScene.hasTextures(item), material.alphaMode == Material::AlphaMode::kMask,
-                  normalOutput, plan.sky.has_value(), plan.sunShadow.has_value()});
+    state.program = &program(
+        {gpuScene.hasTextures(item), material.alphaMode == Material::AlphaMode::kMask, normalOutput,
+         plan.sky.has_value(), plan.sunShadow.has_value(), plan.settings.illuminance.has_value()});
     state.vertexArray = gpuScene.vertexArray();
     state.depthTest = blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
     state.depthWrite = !blended;

@@ -26,6 +26,7 @@ class ForwardPass {
         bool normalOutput = false;
         bool sky = false;
         bool sunShadow = false;
+        bool illuminance = false;
 
         auto operator<=>(const Variant&) const = default;
     };
