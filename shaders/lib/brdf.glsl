@@ -1,7 +1,7 @@
 // Surface reflection: glTF 2.0's metallic-roughness model, appendix B: GGX with height-correlated
-// Smith (Heitz 2014), Schlick's Fresnel, Lambert below. Values in 1/sr, without the cosine.
+// Smith (Heitz 2014), Schlick's Fresnel, Lambert below. Values in 1/sr, without the cosine. Needs
+// lib/pi.glsl before it.
 
-const float kInversePi = 0.318309886183791;
 /// Smallest alpha (roughness squared). Below it the highlight's denominator is nothing but rounding
 /// in single precision; 0.002025 is a roughness of 0.045.
 const float kMinAlpha = 0.002025;

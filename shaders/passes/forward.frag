@@ -8,6 +8,7 @@
 #ifdef SKY
 #include "shared/sky.h"
 #endif
+#include "lib/pi.glsl"
 #include "lib/brdf.glsl"
 #include "lib/haze.glsl"
 #include "lib/spot_light.glsl"

@@ -1,7 +1,8 @@
 // The air in front of surfaces: for places in the picture and distances, even in their square root,
 // the light it adds and its optical lengths, each for a metre of the way so that they change little
-// from one place to the next and vanish at the eye; as logarithms, since air thins out so. Layers: light but for what Mie's air scattered
-// once (alpha: Rayleigh's length), and that without its phase function (alpha: Mie's length).
+// from one place to the next and vanish at the eye; as logarithms, since air thins out so. Layers:
+// light but for what Mie's air scattered once (alpha: Rayleigh's length), and that without its phase
+// function (alpha: Mie's length).
 #include "passes/sky_seen.glsl"
 #include "shared/view.h"
 #include "lib/view_ray.glsl"
@@ -32,5 +33,6 @@ void main() {
         mie = vec4(light.mie, light.lengths.y);
     }
     imageStore(aerial, ivec3(at.xy, at.z), log(max(rest / distanceMetres, kDarkest)));
-    imageStore(aerial, ivec3(at.xy, at.z + kAerialDepths), log(max(mie / distanceMetres, kDarkest)));
+    imageStore(aerial, ivec3(at.xy, at.z + kAerialDepths),
+               log(max(mie / distanceMetres, kDarkest)));
 }

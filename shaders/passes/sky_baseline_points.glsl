@@ -1,5 +1,6 @@
 // What listed rays bring by a model that has skyAlong() and groundIrradiance().
 #include "shared/sky.h"
+#include "lib/pi.glsl"
 
 layout(local_size_x = kSkyRayGroup) in;
 layout(std430, binding = kSkyRaysSlot) readonly buffer Rays { SkyRayStart rays[]; };
@@ -23,8 +24,7 @@ void main() {
     vec3 reflected = vec3(0.0);
     if (onGround) {
         float muS = sunCosineAlong(air, ray.x, ray.z, ray.w, way.x, 0.0);
-        reflected = transmittance * atmosphere.albedo.rgb / 3.14159265358979 *
-                    groundIrradiance(air, muS);
+        reflected = transmittance * atmosphere.albedo.rgb / kPi * groundIrradiance(air, muS);
     }
     lights[index].transmittance = vec4(transmittance, 1.0);
     lights[index].air = vec4(light, 0.0);

@@ -23,18 +23,9 @@ vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
     skyAlong(air, ray, way, ground, false, through, light);
     if (ground) {
         float muS = sunCosineAlong(air, ray.x, ray.z, ray.w, way, 0.0);
-        light += through * atmosphere.albedo.rgb * kSkyInversePi * groundIrradiance(air, muS);
+        light += through * atmosphere.albedo.rgb * kInversePi * groundIrradiance(air, muS);
     }
     return light;
-}
-
-/// What is left of the light of the sun's disc.
-vec3 sunTransmittance(Air air, float h, float muS) {
-#ifdef SKY_PRECOMPUTED
-    return transmittanceToTop(air, h, muS);
-#else
-    return chapmanSunlight(air, h, muS, kBetter);
-#endif
 }
 
 /// Dims `color` by the air in front of it and adds the air's light.

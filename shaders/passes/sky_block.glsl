@@ -2,11 +2,9 @@
 // meets the air.
 #include "passes/sky_air.glsl"
 #include "shared/sky.h"
+#include "lib/pi.glsl"
 
 layout(std140, binding = kSkySlot) uniform SkyBlock { SkyFrame sky; };
-
-const float kSkyPi = 3.14159265358979;
-const float kSkyInversePi = 0.318309886183791;
 
 /// Moves a ray of any height to where it is in the air; false where it passes it by.
 bool intoAir(Air air, inout vec4 ray, OUT(float) entry) {

@@ -11,9 +11,22 @@ const bool kBetter = true;
 const bool kBetter = false;
 #endif
 
-/// Irradiance of the ground by the sun alone.
+/// What is left of sunlight at a height 0..top, and of that of the disc.
+vec3 sunlightAt(Air air, float h, float muS) {
+    return chapmanSunlight(air, h, muS, kBetter);
+}
+vec3 sunTransmittance(Air air, float h, float muS) {
+    return sunlightAt(air, h, muS);
+}
+
+/// Irradiance of level planes by the sky alone: light scattered once knows none.
+vec3 skylightAt(Air air, float h, float muS) {
+    return vec3(0.0);
+}
+
+/// Irradiance of the ground.
 vec3 groundIrradiance(Air air, float muS) {
-    return chapmanSunlight(air, 0.0, muS, kBetter) * max(muS, 0.0);
+    return sunlightAt(air, 0.0, muS) * max(muS, 0.0);
 }
 
 /// `start`: height, mu, muS, nu. A ray that is cut is marched as any other.

@@ -3,6 +3,7 @@
 // model of the literature.
 #include "passes/sky_block.glsl"
 #include "lib/phase_function.glsl"
+#include "lib/sun_disc.glsl"
 #ifdef SKY_BASELINE
 #include "passes/sky_baseline_seen.glsl"
 #else
@@ -17,10 +18,6 @@ layout(local_size_x = kSkyGroup, local_size_y = kSkyGroup) in;
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
 layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
-
-/// Limb darkening: the disc's radiance is that of its middle times cos^kLimb, the angle being that
-/// between ray and the sun's surface (after Hestroffer & Magnan 1998 at 680, 550, 440 nm).
-const vec3 kLimb = vec3(0.42, 0.52, 0.68);
 
 const float kEndOfHaze = 1.0e6;  // metres
 
@@ -40,7 +37,7 @@ vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
         return vec3(0.0);
     }
     float u = rowOfPart(air, sky.zenith.w, ground, clamp(part, 0.0, 1.0));
-    float azimuth = acos(skyAzimuthCosine(mu, sky.sun.w, nu)) * kSkyInversePi;
+    float azimuth = acos(skyAzimuthCosine(mu, sky.sun.w, nu)) * kInversePi;
     vec2 last = vec2(kSkyViewAzimuths - 1, kSkyViewAngles - 1);
     vec2 uv = (vec2(columnOfAzimuth(azimuth), u) * last + 0.5) / (last + 1.0);
     float layer = ground ? 2.0 : 0.0;
@@ -51,21 +48,16 @@ vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
 
 #endif
 
-/// The sun's disc, for a sun of irradiance 1.
+/// The sun's disc through the air, for a sun of irradiance 1.
 vec3 seenSun(Air air, vec3 direction) {
-    float radius = atmosphere.sun.w;
-    float angle = 2.0 * asin(min(0.5 * length(direction - sky.sun.xyz), 1.0));
     float pixel = 2.0 * view.halfExtent.y * view.picture.w;
-    float covered = clamp((radius - angle) / pixel + 0.5, 0.0, 1.0);
-    if (covered <= 0.0 || radius <= 0.0) {
-        return vec3(0.0);
+    vec3 disc = sunDisc(direction, sky.sun.xyz, atmosphere.sun.w, pixel);
+    if (disc.g <= 0.0) {
+        return disc;
     }
-    float across = min(angle / radius, 0.999);
-    vec3 limb = pow(vec3(sqrt(1.0 - across * across)), kLimb) * (0.5 * kLimb + 1.0);
     vec4 ray = vec4(sky.zenith.w, dot(direction, sky.zenith.xyz), sky.sun.w, 1.0);
     float entry;
-    vec3 through = intoAir(air, ray, entry) ? sunTransmittance(air, ray.x, ray.y) : vec3(1.0);
-    return covered * limb * through / (2.0 * kSkyPi * (1.0 - cos(radius)));
+    return disc * (intoAir(air, ray, entry) ? sunTransmittance(air, ray.x, ray.y) : vec3(1.0));
 }
 
 /// Daylight that the haze scatters towards the eye over a way; neither is dimmed on its way in.
@@ -74,7 +66,7 @@ vec3 litHaze(vec3 direction, float metres) {
     for (int i = 0; i < 4; ++i) {
         around += sky.irradiance[i].rgb;
     }
-    around = (around + 2.0 * sky.irradiance[4].rgb) / 6.0 * kSkyInversePi;
+    around = (around + 2.0 * sky.irradiance[4].rgb) / 6.0 * kInversePi;
     float phase = phaseFunction(PHASE_KIND, dot(direction, sky.sun.xyz), view.haze.z, view.haze.w);
     return view.haze.x * metres * oneMinusExpOver(view.haze.y * metres) *
            (sky.sunLux.rgb * phase + around);

@@ -3,12 +3,12 @@
 #include "passes/sky_lookup.glsl"
 #include "passes/sky_layers.glsl"
 #include "passes/sky_order.glsl"
+#include "lib/pi.glsl"
 
 layout(SKY_FORMAT, binding = kSkyScatteringImage) uniform writeonly image3D densityImage;
 
 const int kZenithAngles = 16;
 const int kAzimuths = 32;
-const float kPi = 3.14159265358979;
 
 shared vec2 azimuths[kAzimuths];  // cosine and sine
 

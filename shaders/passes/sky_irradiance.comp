@@ -2,6 +2,7 @@
 // the sum of all orders; or with SKY_DIRECT by the sun, which is not.
 #include "passes/sky_lookup.glsl"
 #include "passes/sky_order.glsl"
+#include "lib/pi.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = kSkyPlaneImage) uniform writeonly image2D orderImage;
@@ -9,7 +10,6 @@ layout(rgba32f, binding = kSkyIrradianceImage) uniform image2D sumImage;
 
 const int kZenithAngles = 16;
 const int kAzimuths = 64;
-const float kPi = 3.14159265358979;
 
 vec3 skyIrradiance(Air air, float h, float muS) {
     float step1 = 0.5 * kPi / float(kZenithAngles);

@@ -9,13 +9,28 @@ vec3 tabulatedLight(Air air, float h, float mu, float muS, float nu, bool ground
            fourDimensional(mieMap, coordinate, slices) * phaseCornetteShanks(nu, air.mieG);
 }
 
+/// What is left of the light of the sun's disc where it is seen.
+vec3 sunTransmittance(Air air, float h, float muS) {
+    return transmittanceToTop(air, h, muS);
+}
+
+/// What is left of sunlight at a height 0..top, where the planet may hide some of the disc.
+vec3 sunlightAt(Air air, float h, float muS) {
+    return transmittanceToSun(air, h, muS);
+}
+
+/// Irradiance of level planes by the sky alone, of which the simplified variant knows nothing.
+vec3 skylightAt(Air air, float h, float muS) {
+#ifdef SKY_2008
+    return vec3(0.0);
+#else
+    return irradianceAt(air, h, muS);
+#endif
+}
+
 /// Irradiance of the ground.
 vec3 groundIrradiance(Air air, float muS) {
-    vec3 light = sunIrradiance(air, 0.0, muS);
-#ifndef SKY_2008
-    light += irradianceAt(air, 0.0, muS);
-#endif
-    return light;
+    return sunIrradiance(air, 0.0, muS) + skylightAt(air, 0.0, muS);
 }
 
 /// `start`: height, mu, muS, nu; `cut`: the ray ends before the air does.

@@ -83,10 +83,10 @@ vec3 sunTransmittance(Air air, float h, float muS) {
 #ifdef SOURCES
 void addSources(Air air, float h, float mu, float muS, float nu, vec3 rayleigh, vec3 mie,
                 inout vec3 light) {
-    vec2 place = vec2(sourceSun(sky.suns.xyz, muS), float(kSourceZeniths - 1) * acos(mu) * kSkyInversePi);
+    vec2 place = vec2(sourceSun(sky.suns.xyz, muS), float(kSourceZeniths - 1) * acos(mu) * kInversePi);
     vec2 uv = (place + 0.5) / vec2(kSourceSuns, kSourceZeniths);
     float height = sourceHeight(air, h);
-    float azimuth = float(kSourceAzimuths - 1) * acos(skyAzimuthCosine(mu, muS, nu)) * kSkyInversePi;
+    float azimuth = float(kSourceAzimuths - 1) * acos(skyAzimuthCosine(mu, muS, nu)) * kInversePi;
     float lowHeight = min(floor(height), float(kSourceHeights - 2));
     float lowAzimuth = min(floor(azimuth), float(kSourceAzimuths - 2));
     vec2 part = vec2(height - lowHeight, azimuth - lowAzimuth);
@@ -196,5 +196,5 @@ vec3 skyOnGround(Air air, float muS) {
 /// What the ground reflects into a ray that ends on it.
 vec3 groundLight(Air air, vec4 ray, float lengthMetres, vec3 transmittanceThere) {
     float muS = sunCosineAlong(air, ray.x, ray.z, ray.w, lengthMetres, 0.0);
-    return transmittanceThere * atmosphere.albedo.rgb * kSkyInversePi * skyOnGround(air, muS);
+    return transmittanceThere * atmosphere.albedo.rgb * kInversePi * skyOnGround(air, muS);
 }

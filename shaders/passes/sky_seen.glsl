@@ -3,14 +3,15 @@
 // and its first row at the horizon, so that none takes light from beyond it.
 #include "passes/sky_radiance.glsl"
 
-/// The table holds logarithms, as light thins out by powers towards the air's edge and in twilight, of
-/// the light and this little more: less than a night sky's.
+/// The table holds logarithms, as light thins out by powers towards the air's edge and in twilight,
+/// of the light and this little more: less than a night sky's.
 const float kSkyViewFloor = 1.0e-9;
 vec3 skyTexel(vec3 light) { return log(max(light, 0.0) + kSkyViewFloor); }
 vec3 fromSkyTexel(vec3 texel) { return max(exp(texel) - kSkyViewFloor, 0.0); }
 
-/// Directions as cosine and sine of their angle from the zenith: they tell angles at the horizon apart
-/// that arc functions, good to 1e-5, would not, and those are what the limb is wide as seen from space.
+/// Directions as cosine and sine of their angle from the zenith: they tell angles at the horizon
+/// apart that arc functions, good to 1e-5, would not, and those are what the limb is wide as seen from
+/// space.
 vec2 zenithPlace(float mu) { return vec2(mu, sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))); }
 
 /// The horizon at a height.
@@ -37,13 +38,13 @@ vec2 placeFromHorizon(vec2 horizon, float chord, bool ground) {
     return vec2(horizon.x * cosine + horizon.y * sine, horizon.y * cosine - horizon.x * sine);
 }
 
-/// Distances from the horizon, as parts of what the half spans, by rows 0..1: dense at the horizon, and
-/// as seen from above the air at its edge too.
+/// Distances from the horizon, as parts of what the half spans, by rows 0..1: dense at the horizon,
+/// and as seen from above the air at its edge too.
 float partOfRow(Air air, float h, bool ground, float row) {
     if (ground) {
         return row * row * row;
     }
-    float sine = h < air.top ? row : sin(0.5 * kSkyPi * row);
+    float sine = h < air.top ? row : sin(0.5 * kPi * row);
     return sine * sine;
 }
 float rowOfPart(Air air, float h, bool ground, float part) {
@@ -51,7 +52,7 @@ float rowOfPart(Air air, float h, bool ground, float part) {
         return pow(part, 1.0 / 3.0);
     }
     float sine = sqrt(part);
-    return h < air.top ? sine : asin(sine) * (2.0 / kSkyPi);
+    return h < air.top ? sine : asin(sine) * (2.0 / kPi);
 }
 
 /// Columns are dense towards the sun's azimuth, where twilight changes fastest; azimuths as parts of

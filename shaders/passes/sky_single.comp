@@ -42,7 +42,7 @@ void main() {
         rayleigh += light * airDensity(hThere, air.rayleighHeight);
         mie += light * airDensity(hThere, air.mieHeight);
     }
-#ifdef SKY_EXACT_TEXELS
+#if defined(SKY_EXACT_TEXELS) && defined(SKY_2008)
     float place = halvesPlace(float(texel.y), tables.scattering.y);
     float part = shortOfWay2008(air, h, place, ground);
     rayleigh *= part;

@@ -20,7 +20,7 @@ void main() {
     vec2 place = placeFromHorizon(horizon, span * partOfRow(air, h, ground, u), ground);
     float mu = clamp(place.x, -1.0, 1.0);
     float muS = sky.sun.w;
-    float cosAzimuth = cos(kSkyPi * azimuthOfColumn(float(at.x) / float(kSkyViewAzimuths - 1)));
+    float cosAzimuth = cos(kPi * azimuthOfColumn(float(at.x) / float(kSkyViewAzimuths - 1)));
     float sines = place.y * sqrt(max((1.0 - muS) * (1.0 + muS), 0.0));
     vec4 ray = vec4(h, mu, muS, clamp(mu * muS + sines * cosAzimuth, -1.0, 1.0));
 

@@ -97,6 +97,11 @@ void FileCache::keep(const std::string& name, const std::string& key,
     }
     std::error_code error;
     fs::create_directories(folder_, error);
+    if (error) {
+        logVerbose("cache: " + folder_.string() + " cannot be made: " + error.message() +
+                   "; nothing is kept");
+        return;
+    }
     const Head head = headOf(content);
     std::string file(sizeof head + content.size(), '\0');
     std::memcpy(file.data(), &head, sizeof head);

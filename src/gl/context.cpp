@@ -109,6 +109,12 @@ constexpr const char* kCure =
 
 }  // namespace
 
+bool isSoftwareRenderer(const std::string& renderer) {
+    return renderer.find("llvmpipe") != std::string::npos ||
+           renderer.find("softpipe") != std::string::npos ||
+           renderer.find("swrast") != std::string::npos;
+}
+
 Context::Context() {
     // libepoxy ends the process where a library is missing, so look first.
     for (const char* library : {"libEGL.so.1", "libOpenGL.so.0"}) {
@@ -137,9 +143,7 @@ Context::Context() {
     }
     renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     version_ = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    software_ = renderer_.find("llvmpipe") != std::string::npos ||
-                renderer_.find("softpipe") != std::string::npos ||
-                renderer_.find("swrast") != std::string::npos;
+    software_ = isSoftwareRenderer(renderer_);
     prepareContext();
 }
 

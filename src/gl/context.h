@@ -6,6 +6,9 @@
 
 namespace ribalta {
 
+/// Whether a renderer of that name draws with the system's processors.
+bool isSoftwareRenderer(const std::string& renderer);
+
 /// Current on the thread that made it, for as long as it lives. One a process.
 class Context {
   public:

@@ -18,12 +18,15 @@ namespace ribalta::shader {
 namespace {
 
 using glm::abs;
+using glm::asin;
 using glm::atan;
 using glm::clamp;
+using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp;
 using glm::exp2;
+using glm::length;
 using glm::log;
 using glm::log2;
 using glm::max;
@@ -39,9 +42,10 @@ using vec4 = glm::dvec4;
 // NOLINTBEGIN: GLSL's spelling
 #define float double
 #define OUT(T) T&
-// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it, air_shell.glsl air.glsl, the
-// sky's files what they say.
+// beam_radiance.glsl needs haze.glsl and spot_light.glsl before it, air_shell.glsl air.glsl,
+// brdf.glsl pi.glsl, the sky's files what they say.
 // clang-format off
+#include "lib/pi.glsl"
 #include "lib/phase_function.glsl"
 #include "lib/spot_light.glsl"
 #include "lib/haze.glsl"
@@ -60,6 +64,7 @@ using vec4 = glm::dvec4;
 #include "lib/sky_mapping.glsl"
 #include "lib/sky_mapping_2008.glsl"
 #include "lib/sky_tables.glsl"
+#include "lib/sun_disc.glsl"
 // clang-format on
 #undef OUT
 #undef float

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,14 +16,9 @@
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kOrdersOfAll = 10;
 constexpr int kNodesOfFirst = 32;  // of each piece of a ray: 2e-6 (95 % of rays)
 constexpr int kNodesOfLater = 16;
-
-/// Limb darkening: the disc's radiance is that of its middle times cos^kLimb (after Hestroffer &
-/// Magnan 1998 at 680, 550, 440 nm).
-const glm::dvec3 kLimb(0.42, 0.52, 0.68);
 
 }  // namespace
 
@@ -83,7 +77,6 @@ class SkySight::Impl {
     SkyLight along(const AirPath& path) const;
     glm::dvec3 single(const AirPath& path) const;
     glm::dvec3 later(const std::optional<SkyLightTables::Later>& tables, const AirPath& path) const;
-    glm::dvec3 sunDisc(const glm::dvec3& direction, double pixelRadians) const;
 
   private:
     glm::dvec3 groundIrradiance(double muS) const;
@@ -128,13 +121,9 @@ glm::dvec3 SkySight::Impl::later(const std::optional<SkyLightTables::Later>& tab
     return tables->sources.march(tables->sum, path, nodes);
 }
 
-// By light that the ground may still reflect: all orders but the last.
 glm::dvec3 SkySight::Impl::groundIrradiance(double muS) const {
-    glm::dvec3 sum = sunIrradiance(lengths_, muS);
-    for (int order = 1; order < tables_->orders; ++order) {
-        sum += tables_->later->sources.irradiance(order, muS);
-    }
-    return sum;
+    const glm::dvec3 sun = sunIrradiance(lengths_, muS);
+    return tables_->later ? sun + tables_->later->sources.irradianceOfAll(false, muS) : sun;
 }
 
 SkyLight SkySight::Impl::along(const AirPath& path) const {
@@ -147,21 +136,6 @@ SkyLight SkySight::Impl::along(const AirPath& path) const {
             groundLight(lengths_, path, [&](double muS) { return groundIrradiance(muS); });
     }
     return light;
-}
-
-glm::dvec3 SkySight::Impl::sunDisc(const glm::dvec3& direction, double pixelRadians) const {
-    const double radius = sky_.air.sunAngularRadius;
-    const double angle =
-        2.0 * std::asin(std::min(0.5 * glm::length(direction - sky_.towardsSun), 1.0));
-    const double covered =
-        std::clamp((radius - angle) / std::max(pixelRadians, 1e-9) + 0.5, 0.0, 1.0);
-    if (covered <= 0.0 || radius <= 0.0) {
-        return glm::dvec3(0.0);
-    }
-    const double across = std::min(angle / radius, 0.999);
-    const glm::dvec3 limb =
-        glm::pow(glm::dvec3(std::sqrt(1.0 - across * across)), kLimb) * (0.5 * kLimb + 1.0);
-    return covered * limb / (2.0 * kPi * (1.0 - std::cos(radius)));
 }
 
 SkySight::SkySight(const SkyOverScene& sky, SkyTableStore* store) {
@@ -195,7 +169,10 @@ glm::dvec3 SkySight::behind(const glm::dvec3& from, const glm::dvec3& direction,
     const SkyLight light = path ? impl_->along(*path) : SkyLight();
     glm::dvec3 sum = light.air + light.ground;
     if (!path || !path->ground) {
-        sum += impl_->sunDisc(direction, pixelRadians) * light.transmittance;
+        const SkyOverScene& sky = impl_->sky();
+        sum += light.transmittance * shader::sunDisc(direction, sky.towardsSun,
+                                                     sky.air.sunAngularRadius,
+                                                     std::max(pixelRadians, 1e-9));
     }
     return sum * impl_->sky().air.sunIlluminanceLux;
 }

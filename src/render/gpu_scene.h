@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
+#include "gl/sampler.h"
 #include "gl/texture.h"
 #include "render/draw_list.h"
 #include "scene/scene.h"
@@ -15,9 +16,6 @@ namespace ribalta {
 
 inline void deleteVertexArray(GLuint name) {
     glDeleteVertexArrays(1, &name);
-}
-inline void deleteSampler(GLuint name) {
-    glDeleteSamplers(1, &name);
 }
 
 class GpuScene {

@@ -11,12 +11,7 @@ SheetInputs::SheetInputs() {
     GLuint array = 0;
     glCreateVertexArrays(1, &array);
     vertexArray_ = Handle<deleteVertexArray>(array);
-    GLuint sampler = 0;
-    glCreateSamplers(1, &sampler);
-    depthSampler_ = Handle<deleteSampler>(sampler);
-    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    depthSampler_ = makeDepthSampler();
 }
 
 void SheetInputs::bind(const BeamsWork& work, const GpuScene& gpuScene,

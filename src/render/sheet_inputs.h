@@ -7,6 +7,7 @@
 #include "gl/buffer.h"
 #include "gl/pipeline_state.h"
 #include "gl/program.h"
+#include "gl/sampler.h"
 #include "gl/texture.h"
 #include "render/frame_plan.h"
 #include "render/frame_targets.h"

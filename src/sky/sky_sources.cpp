@@ -261,6 +261,24 @@ glm::dvec3 SkySources::irradiance(int order, double muS) const {
     return glm::max(sum, glm::dvec3(0.0));
 }
 
+glm::dvec3 SkySources::irradianceOfAll(bool closed, double muS) const {
+    const int orders = int(tables_.irradiances.size());
+    glm::dvec3 sum(0.0);
+    for (int order = 1; order <= orders; ++order) {
+        sum += irradiance(order, muS);
+    }
+    if (closed) {
+        const glm::dvec3 last = irradiance(orders, muS);
+        const glm::dvec3 before = irradiance(orders - 1, muS);
+        for (int c = 0; c < 3; ++c) {
+            const double ratio =
+                before[c] > 0.0 ? std::min(last[c] / before[c], kLargestRatio) : 0.0;
+            sum[c] += last[c] * ratio / (1.0 - ratio);
+        }
+    }
+    return sum;
+}
+
 std::array<double, 6> SkySources::at(const Grid& grid, double height, double muS,
                                      double zenithAngle, double azimuthAngle) const {
     const std::size_t size = directionSize();

@@ -72,6 +72,9 @@ class SkySources {
     /// then the fourth or higher: at each height under each sun they go on falling as from the last
     /// but one to the last.
     Grid sum(bool closed) const;
+    /// The ground's by all light of the sky that it may still reflect, orders 1..orders - 1, closed
+    /// as sum() is.
+    glm::dvec3 irradianceOfAll(bool closed, double muS) const;
     /// Out of a grid: what is scattered at a height under a sun of cosine muS towards a direction,
     /// by Rayleigh's and Mie's air; angles in radians, 0..pi, azimuths from the sun's.
     std::array<double, 6> at(const Grid& grid, double height, double muS, double zenithAngle,

@@ -56,6 +56,7 @@ class SkyTables::Impl {
     const std::optional<SkySources>& sources() const { return sources_; }
     const SkySources::Grid& sum() const { return sum_; }
 
+    /// By the sky alone.
     glm::dvec3 groundIrradiance(double muS) const;
     std::vector<glm::dvec3> light(double height, double muS, const SkyDirections& directions) const;
 
@@ -70,21 +71,8 @@ class SkyTables::Impl {
     SkySources::Grid sum_;
 };
 
-// By light of the sky that the ground may still reflect: all orders but the last.
 glm::dvec3 SkyTables::Impl::groundIrradiance(double muS) const {
-    glm::dvec3 sum(0.0);
-    for (int order = 1; order < orders_.count; ++order) {
-        sum += sources_->irradiance(order, muS);
-    }
-    if (closed()) {
-        const glm::dvec3 last = sources_->irradiance(orders_.count - 1, muS);
-        const glm::dvec3 before = sources_->irradiance(orders_.count - 2, muS);
-        for (int c = 0; c < 3; ++c) {
-            const double ratio = before[c] > 0.0 ? std::min(last[c] / before[c], 0.95) : 0.0;
-            sum[c] += last[c] * ratio / (1.0 - ratio);
-        }
-    }
-    return sum;
+    return sources_ ? sources_->irradianceOfAll(closed(), muS) : glm::dvec3(0.0);
 }
 
 std::vector<glm::dvec3> SkyTables::Impl::light(double height, double muS,
@@ -105,8 +93,7 @@ std::vector<glm::dvec3> SkyTables::Impl::light(double height, double muS,
             }
             if (path.endsOnGround) {
                 sum += groundLight(lengths_, path, [&](double there) {
-                    return sunIrradiance(lengths_, there) +
-                           (sources_ ? groundIrradiance(there) : glm::dvec3(0.0));
+                    return sunIrradiance(lengths_, there) + groundIrradiance(there);
                 });
             }
         }

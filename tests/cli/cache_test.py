@@ -70,6 +70,7 @@ class Caches(CommandTest):
         self.write("file", b"")
         drawn, said = self.draw(caches=self.folder / "file")
         self.assertEqual(drawn, expected)
+        self.assertIn("cannot be made", said)
         self.assertIn("nothing is kept", said)
 
 

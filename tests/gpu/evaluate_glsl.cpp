@@ -14,7 +14,7 @@ Handle<deleteProgram> compile(const std::string& body, int inputs, int outputs) 
     // The library's files include nothing; the first brings the version line and the macros.
     std::string text = assembleShader("lib/haze.glsl", {}).text;
     for (const char* file :
-         {"phase_function", "spot_light", "beam_radiance", "beam_geometry", "brdf", "tonemap",
+         {"pi", "phase_function", "spot_light", "beam_radiance", "beam_geometry", "brdf", "tonemap",
           "shadow_projection", "view_ray", "air", "air_shell", "chapman"}) {
         text += embeddedShaders().at(std::string("lib/") + file + ".glsl");
     }

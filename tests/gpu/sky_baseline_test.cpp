@@ -16,6 +16,7 @@
 #include "render/evaluate_baseline_sky.h"
 #include "render/passes/sky_precomputed.h"
 #include "support/sky_truth.h"
+#include "support/strange_airs.h"
 
 namespace ribalta::test {
 namespace {
@@ -186,18 +187,9 @@ void expectSane(const char* what, const std::vector<SkyRay>& rays,
 }
 
 TEST_F(SkyBaseline, ExtremesOfAirEyeAndSun) {
-    Atmosphere thick;
-    thick.mieScatteringPerMetre *= 50.0;
-    thick.mieExtinctionPerMetre *= 50.0;
-    Atmosphere tiny;
-    tiny.groundRadiusMetres = 400e3;
-    Atmosphere low;
-    low.rayleighScaleHeightMetres = 100.0;
-    low.mieScaleHeightMetres = 100.0;
-    Atmosphere high;
-    high.rayleighScaleHeightMetres = 50e3;
-    high.mieScaleHeightMetres = 50e3;
-    for (const Atmosphere& air : {Atmosphere(), thick, tiny, low, high}) {
+    std::vector<Atmosphere> airs = strangeAirs();
+    airs.emplace_back();
+    for (const Atmosphere& air : airs) {
         const std::vector<SkyRay> rays = extremeRays(air);
         for (const bool half : {true, false}) {
             PrecomputedSkySettings settings = smallTables(false, half ? 3 : 1);

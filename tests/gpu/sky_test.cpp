@@ -12,6 +12,7 @@
 #include "reference/integrate_sky.h"
 #include "render/evaluate_sky.h"
 #include "support/stage.h"
+#include "support/strange_airs.h"
 
 namespace ribalta::test {
 namespace {
@@ -138,11 +139,8 @@ TEST_F(Sky, AirBetweenTwoPointsIsTheReferences) {
 }
 
 TEST_F(Sky, ExtremesAreFiniteAndNotNegative) {
-    Atmosphere thick;
-    thick.mieScatteringPerMetre *= 50.0;
-    thick.mieExtinctionPerMetre *= 50.0;
-    Atmosphere tiny;
-    tiny.groundRadiusMetres = 400e3;
+    std::vector<Atmosphere> airs = strangeAirs();
+    airs.emplace_back();
     std::vector<SkyRay> rays;
     for (const double height : {0.0, 1e-3, 2.0, 60e3 - 1e-3, 60e3, 60e3 + 1e-3, 400e3, 12e6}) {
         for (const double angle : {0.0, 45.0, 89.99, 90.0, 90.01, 91.0, 110.1, 135.0, 180.0}) {
@@ -154,7 +152,7 @@ TEST_F(Sky, ExtremesAreFiniteAndNotNegative) {
             }
         }
     }
-    for (const Atmosphere& air : {Atmosphere{}, thick, tiny}) {
+    for (const Atmosphere& air : airs) {
         for (const SkyLight& light : evaluateSky(air, {4, true}, rays)) {
             for (const glm::dvec3& value : {light.transmittance, light.air, light.ground}) {
                 for (int c = 0; c < 3; ++c) {

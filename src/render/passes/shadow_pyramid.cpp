@@ -16,14 +16,7 @@ constexpr int kGroup = 8;        // invocations of a work group, each way
 ShadowPyramidPass::ShadowPyramidPass()
     : fromMaps_({"passes/shadow_pyramid.comp"}, {"FROM_MAPS"}),
       fromLevel_({"passes/shadow_pyramid.comp"}) {
-    GLuint sampler = 0;
-    glCreateSamplers(1, &sampler);
-    depthSampler_ = Handle<deleteSampler>(sampler);
-    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    depthSampler_ = makeDepthSampler();
 }
 
 void ShadowPyramidPass::draw(const std::vector<int>& layers, const Texture2D& shadowMaps) {

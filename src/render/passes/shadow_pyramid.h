@@ -6,8 +6,8 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/sampler.h"
 #include "gl/texture.h"
-#include "render/gpu_scene.h"
 
 namespace ribalta {
 

@@ -10,14 +10,7 @@ namespace ribalta {
 static_assert(kMostSunCascades == gpu::kSunCascades);
 
 SunShadowPass::SunShadowPass() {
-    GLuint sampler = 0;
-    glCreateSamplers(1, &sampler);
-    depthSampler_ = Handle<deleteSampler>(sampler);
-    glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    depthSampler_ = makeDepthSampler();
 }
 
 void SunShadowPass::draw(const SunShadowWork& work, const Scene& scene, const FramePlan& plan,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
+#include "gl/sampler.h"
 #include "render/frame_plan.h"
 #include "render/passes/draw_casters.h"
 

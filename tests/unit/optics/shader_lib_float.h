@@ -29,6 +29,7 @@ using vec4 = glm::vec4;
 
 // clang-format off
 #define OUT(T) T&
+#include "pi.glsl"
 #include "phase_function.glsl"
 #include "spot_light.glsl"
 #include "haze.glsl"

@@ -9,6 +9,7 @@
 #include "reference/integrate_sky.h"
 #include "sky/optical_length.h"
 #include "sky/sky_field.h"
+#include "support/strange_airs.h"
 
 namespace ribalta {
 namespace {
@@ -220,17 +221,6 @@ TEST(Sky, WhatComesInGoesOut) {
 
 // Viewers at both ends of the air and beyond, suns around the horizon, in air of all kinds.
 TEST(Sky, ExtremesAreFiniteAndNotNegative) {
-    Atmosphere tiny;
-    tiny.groundRadiusMetres = 400e3;
-    Atmosphere thick;
-    thick.mieScatteringPerMetre *= 50.0;
-    thick.mieExtinctionPerMetre *= 50.0;
-    Atmosphere shallow;
-    shallow.rayleighScaleHeightMetres = 100.0;
-    shallow.mieScaleHeightMetres = 100.0;
-    Atmosphere deep;
-    deep.rayleighScaleHeightMetres = 50e3;
-    deep.mieScaleHeightMetres = 50e3;
     std::vector<SkyRay> rays;
     for (const double height : {0.0, 1e-3, 1000.0, 60e3 - 1e-6, 60e3, 400e3}) {
         for (const double mu : {-1.0, -0.3, -1e-3, 0.0, 1e-12, 1.0}) {
@@ -240,7 +230,7 @@ TEST(Sky, ExtremesAreFiniteAndNotNegative) {
             }
         }
     }
-    for (const Atmosphere& air : {tiny, thick, shallow, deep}) {
+    for (const Atmosphere& air : test::strangeAirs()) {
         SkySettings settings;
         settings.orders = 2;
         settings.exactSecondOrder = false;

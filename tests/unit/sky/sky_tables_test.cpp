@@ -9,6 +9,7 @@
 #include "optics/shader_lib.h"
 #include "reference/integrate_sky.h"
 #include "sky/sky_air.h"
+#include "support/strange_airs.h"
 
 namespace ribalta {
 namespace {
@@ -113,18 +114,9 @@ TEST(SkyTables, TheRestOfTheSeriesIsAlmostAllThatIsMissing) {
 }
 
 TEST(SkyTables, StrangeAirIsStillAir) {
-    Atmosphere thick;
-    thick.mieScatteringPerMetre *= 50.0;
-    thick.mieExtinctionPerMetre *= 50.0;
-    Atmosphere tiny;
-    tiny.groundRadiusMetres = 400e3;
-    Atmosphere flat;
-    flat.rayleighScaleHeightMetres = 100.0;
-    flat.mieScaleHeightMetres = 100.0;
-    Atmosphere high;
-    high.rayleighScaleHeightMetres = 50e3;
-    high.mieScaleHeightMetres = 50e3;
-    for (const Atmosphere& air : {thick, tiny, flat, high, withoutMie(Atmosphere{})}) {
+    std::vector<Atmosphere> airs = test::strangeAirs();
+    airs.push_back(withoutMie(Atmosphere{}));
+    for (const Atmosphere& air : airs) {
         const SkyTables tables(air, {4, true});
         for (const auto* table :
              {&tables.rayleighSources(), &tables.mieSources(), &tables.groundIrradiance()}) {
