@@ -27,7 +27,7 @@ constexpr std::array<ViewFact, 8> kView = {{{"scene", &ReferenceView::scene},
                                             {"ambient", &ReferenceView::ambient},
                                             {"visibility", &ReferenceView::visibility},
                                             {kSkyFact, &ReferenceView::sky},
-                                            {"sky_air", &ReferenceView::skyAir}}};
+                                            {kSkyAirFact, &ReferenceView::skyAir}}};
 constexpr const char* kLargestError = "largest_error";
 constexpr const char* kRmsError = "rms_error";
 constexpr const char* kLargestSkyError = "largest_sky_error";
@@ -66,16 +66,6 @@ std::string describeHaze(const Haze& haze) {
     return "scattering " + number(haze.scatteringPerMetre) + " absorption " +
            number(haze.absorptionPerMetre) + " " + kNames[std::size_t(haze.phase.kind)] + " g " +
            number(haze.phase.g) + " K " + number(haze.phase.k);
-}
-
-std::string describeAir(const Atmosphere& air) {
-    return "ground " + number(air.groundRadiusMetres) + " top " + number(air.topMetres) +
-           " rayleigh " + numbers(air.rayleighScatteringPerMetre) + " height " +
-           number(air.rayleighScaleHeightMetres) + " mie " + numbers(air.mieScatteringPerMetre) +
-           " of " + numbers(air.mieExtinctionPerMetre) + " height " +
-           number(air.mieScaleHeightMetres) + " g " + number(air.mieG) + " albedo " +
-           numbers(air.groundAlbedo) + " lux " + numbers(air.sunIlluminanceLux) + " radius " +
-           number(air.sunAngularRadius);
 }
 
 // Null where the picture does not say so.
@@ -117,6 +107,16 @@ std::optional<ReferenceFacts> factsOf(const FloatImage& image) {
 std::string describeSky(const SkyOverScene& sky) {
     return "sun " + numbers(sky.towardsSun) + " altitude " + number(sky.altitudeMetres) +
            " orders " + (sky.orders.closed ? "all" : std::to_string(sky.orders.count));
+}
+
+std::string describeAir(const Atmosphere& air) {
+    return "ground " + number(air.groundRadiusMetres) + " top " + number(air.topMetres) +
+           " rayleigh " + numbers(air.rayleighScatteringPerMetre) + " height " +
+           number(air.rayleighScaleHeightMetres) + " mie " + numbers(air.mieScatteringPerMetre) +
+           " of " + numbers(air.mieExtinctionPerMetre) + " height " +
+           number(air.mieScaleHeightMetres) + " g " + number(air.mieG) + " albedo " +
+           numbers(air.groundAlbedo) + " lux " + numbers(air.sunIlluminanceLux) + " radius " +
+           number(air.sunAngularRadius);
 }
 
 ReferenceView describeReference(const std::string& scene, const ReferenceSettings& settings) {

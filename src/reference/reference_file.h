@@ -18,9 +18,9 @@ struct ReferenceView {
     std::string camera;
     std::string haze;
     std::string ambient;
-    std::string visibility;    ///< "geometry" or "shadow-map"
-    std::string sky = "none";  ///< as describeSky()
-    std::string skyAir = "none";
+    std::string visibility;       ///< "geometry" or "shadow-map"
+    std::string sky = "none";     ///< as describeSky()
+    std::string skyAir = "none";  ///< as describeAir()
 };
 
 /// What a reference says of itself.
@@ -40,6 +40,10 @@ struct ReferenceFile {
 inline constexpr const char* kSkyFact = "sky";
 /// Its sun, altitude and orders, with all digits.
 std::string describeSky(const SkyOverScene& sky);
+/// Under this name, which air it is of.
+inline constexpr const char* kSkyAirFact = "sky_air";
+/// With all digits.
+std::string describeAir(const Atmosphere& air);
 
 /// What is known before anything is drawn. `scene` is the file's name without its folders.
 ReferenceView describeReference(const std::string& scene, const ReferenceSettings& settings);

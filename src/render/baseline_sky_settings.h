@@ -26,10 +26,10 @@ struct PrecomputedSkySettings {
     /// Of the simplified variant, after the 2008 code: light scattered once alone, its mappings,
     /// no table of irradiance. Otherwise Bruneton & Neyret 2008 as described in 2017.
     bool simplified = false;
-    /// Of the simplified variant: texels integrated well, so that what is off is what their
-    /// interpolation loses. Otherwise as the 2008 code makes them: from its table of
+    /// Light scattered once integrated well at the texels, so that what is off is what their
+    /// interpolation loses. Otherwise as the published code makes them: from its table of
     /// transmittance, in 50 steps.
-    bool exactTexels = true;
+    bool exactTexels = false;
     int orders = 4;          ///< how often light may have been scattered; 1 for `simplified`
     bool halfFloats = true;  ///< volumes of 16-bit floats, as published; otherwise of 32
     SkyPlaneSize transmittance{256, 64};
@@ -40,10 +40,21 @@ struct PrecomputedSkySettings {
     bool operator==(const PrecomputedSkySettings&) const = default;
 };
 
+/// Of the table of transmittance by which exact texels are made.
+inline constexpr SkyPlaneSize kExactTransmittance{512, 128};
+
+/// What the tables take in memory.
+struct SkyTableBytes {
+    std::uint64_t kept = 0;  ///< of those that pictures read
+    std::uint64_t peak = 0;  ///< with those that only making them needs
+};
+SkyTableBytes skyTableBytes(const PrecomputedSkySettings& settings);
+
 /// At the sizes of the thesis that proposed it.
 inline PrecomputedSkySettings simplifiedSky() {
     PrecomputedSkySettings settings;
     settings.simplified = true;
+    settings.exactTexels = true;
     settings.orders = 1;
     settings.scattering = {32, 64, 64, 4};
     return settings;

@@ -3,6 +3,9 @@
 // holds ozone.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include <glm/glm.hpp>
 
 namespace ribalta {
@@ -28,14 +31,23 @@ struct Atmosphere {
     bool operator==(const Atmosphere&) const = default;
 };
 
-/// `air` as it is. Throws Error(kUsage) that names the first value that makes no sense, what was
-/// expected and how to mend it: nothing finite, radii and heights not above 0 or out of the range
-/// that single precision can draw (a ground of 1 km to 1e9 m, a top of 1 m to 10 radii, scale
-/// heights of 1 m to 1e6 m), negative coefficients, more scattering than extinction, |g| > 0.9999,
-/// an albedo beyond 0..1, a sun of negative light or wider than 90 degrees.
+/// What makes no sense about an atmosphere.
+struct AtmosphereFault {
+    std::string name;     ///< of the value: rayleighScattering/g, top, mieG ...
+    std::string message;  ///< what it is, what was expected and how to mend it
+};
+
+/// The first value that makes no sense; none where all do: nothing finite, radii and heights not
+/// above 0 or out of the range that single precision can draw (a ground of 1 km to 1e9 m, a top of
+/// 1 m to 10 radii, scale heights of 1 m to 1e6 m), negative coefficients, more scattering than
+/// extinction, |g| > 0.9999, an albedo beyond 0..1, a sun of negative light or wider than 90
+/// degrees.
+std::optional<AtmosphereFault> faultOf(const Atmosphere& air);
+
+/// `air` as it is. Throws Error(kUsage) that says what faultOf() finds.
 Atmosphere checked(const Atmosphere& air);
 
-/// The same without Mie's part, as clean air has none.
+/// `air` without Mie's part, as clean air has none.
 Atmosphere withoutMie(const Atmosphere& air);
 
 }  // namespace ribalta

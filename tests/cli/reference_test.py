@@ -73,7 +73,10 @@ class Skies(CommandTest):
     def test_frames_agree_with_it(self):
         for options, bound in [(["--sun=30,40", "--sky-orders=1"], 0.004),
                                (["--sun=3,200", "--sky-orders=2", "--altitude=2000"], 0.01),
-                               (["--sun=50,0"], 0.006)]:
+                               (["--sun=50,0"], 0.006),
+                               (["--sun=10,100", "--sky-orders=1", "--planet-radius=1e6",
+                                 "--mie-scattering=2e-5", "--mie-g=0.6", "--ground-albedo=0.5",
+                                 "--sun-illuminance=1e5,9e4,8e4"], 0.006)]:
             told = self.draw("reference", "exact.exr", *options).stdout
             self.assertRegex(told, r"error of the sky, relative: largest \S+, RMS \S+")
             self.draw("render", "drawn.exr", *options)
@@ -86,6 +89,29 @@ class Skies(CommandTest):
             self.draw("render", "drawn.exr", *other)
             self.expect_error(BAD_INPUT, ["drawn.exr", "another sky", "--sun"], "compare",
                               "drawn.exr", "exact.exr")
+
+    def test_other_air_is_refused(self):
+        sun = ["--sun=30,40", "--sky-orders=1"]
+        self.draw("reference", "exact.exr", *sun, "--mie-g=0.7")
+        for other in [[], ["--mie-g=0.7", "--air-top=50000"], ["--rayleigh-only"]]:
+            self.draw("render", "drawn.exr", *sun, *other)
+            self.expect_error(BAD_INPUT, ["drawn.exr", "other air", "g 0.69999"], "compare",
+                              "drawn.exr", "exact.exr")
+        self.draw("render", "drawn.exr", *sun, "--mie-g=0.7")
+        self.expect_done("compare", "drawn.exr", "exact.exr", "--max-relative=0.006")
+
+    def test_a_camera_below_the_planets_ground_is_told_of(self):
+        scene = make_floor()
+        for node in scene["nodes"]:
+            if "camera" in node:
+                node["translation"][1] -= 30
+        self.write_scene("sunk.gltf", scene)
+        for command, output in [("reference", "a.exr"), ("render", "b.exr")]:
+            options = ["sunk.gltf", *self.CLEAR, "--sky=auto", "--sun=30,40", "--sky-orders=1"]
+            said = self.expect_done(command, *options, "-o", output).stderr
+            self.assertRegex(said, r"warning: .*camera is 2\d(\.\d)? m below .*--altitude")
+            said = self.expect_done(command, *options, "-o", output, "--altitude=40").stderr
+            self.assertNotIn("below", said)
 
     def test_what_does_not_go_with_a_sky(self):
         for words, options in [(["--haze", "--haze 0"], ["--haze=0.01"]),

@@ -13,6 +13,28 @@ ZENITH = "0,1,0.5,0.5\n"
 NEW = [name + color for name in ("T_", "L_", "Lg_") for color in "rgb"]
 
 
+# Air, ground and sun that make no sense, and what is said of them.
+NONSENSE = [
+    ("--air-top=-10", ["-10", "above the ground"]),
+    ("--air-top=0", ["above the ground"]),
+    ("--air-top=1e9", ["6.36e+07 m"]),
+    ("--planet-radius=0", ["0", "1000..1e+09 m"]),
+    ("--planet-radius=Earth", ["'Earth'", "not a number"]),
+    ("--rayleigh-scattering=-1e-6", ["r is -1e-06", "0..1 1/m"]),
+    ("--rayleigh-scattering=1e-6,-2e-6,1e-6", ["g is -2e-06"]),
+    ("--rayleigh-scattering=1e-6,2e-6", ["'1e-6,2e-6'", "three of them: R,G,B"]),
+    ("--rayleigh-height=0", ["0", "1..1e+06 m"]),
+    ("--rayleigh-height=8000,1200", ["'8000,1200'"]),
+    ("--mie-scattering=-4e-6", ["r is -4e-06"]),
+    ("--mie-extinction=-3e-6", ["r is -3e-06"]),
+    ("--mie-height=nan", ["'nan'"]),
+    ("--mie-g=1", ["is 1", "0.9999"]),
+    ("--mie-g=-1.5", ["is -1.5"]),
+    ("--ground-albedo=0.1,1.2,0", ["g is 1.2", "0..1"]),
+    ("--sun-illuminance=-1", ["r is -1", "lux"]),
+]
+
+
 class Tables(CommandTest):
     def table(self, points, *options):
         """The rows that the program writes for a file of that content."""
@@ -72,6 +94,63 @@ class Tables(CommandTest):
             (clean, 0.002, ["--model=chapman", "--chapman=better", "--segments=100"]),
         ]:
             [row] = self.table(HEADER + ZENITH, *options)
+            for name in NEW:
+                self.assertAlmostEqual(float(row[name]) / float(right[name]), 1, delta=off,
+                                       msg=f"{options} {name}")
+
+    def test_the_closed_form_with_other_air(self):
+        # As under the sun above, with each number of the air another one.
+        air = {"r": 2e-6, "g": 4e-6, "b": 9e-6}
+        [row] = self.table(HEADER + "0,1,1,1\n", "--orders=1", "--rayleigh-only",
+                           "--rayleigh-scattering=2e-6,4e-6,9e-6", "--rayleigh-height=20e3",
+                           "--planet-radius=3e6", "--air-top=100e3")
+        for color, coefficient in air.items():
+            tau = coefficient * 20e3 * -math.expm1(-5)
+            self.assertAlmostEqual(float(row["T_" + color]) / math.exp(-tau), 1, places=9)
+            expected = 3 / (8 * math.pi) * tau * math.exp(-tau)
+            self.assertAlmostEqual(float(row["L_" + color]) / expected, 1, places=9)
+        # Haze alone, which absorbs a quarter of what it takes; its phase function straight on.
+        [row] = self.table(HEADER + "0,1,1,1\n", "--orders=1", "--rayleigh-scattering=0",
+                           "--mie-scattering=3e-5", "--mie-extinction=4e-5", "--mie-height=3000",
+                           "--mie-g=-0.5")
+        tau = 4e-5 * 3000 * -math.expm1(-20)
+        phase = 3 / (8 * math.pi) * 0.75 * 2 / (2.25 * 2.25**1.5)
+        self.assertAlmostEqual(float(row["T_g"]) / math.exp(-tau), 1, places=9)
+        self.assertAlmostEqual(float(row["L_g"]) / (phase * 0.75 * tau * math.exp(-tau)), 1,
+                               places=8)
+
+    def test_the_ground_reflects_what_it_is_said_to(self):
+        down = HEADER + "0,-1,1,-1\n"
+        for albedo, colors in [("0.3", (0.3, 0.3, 0.3)), ("0,0.5,1", (0, 0.5, 1))]:
+            [row] = self.table(down, "--orders=1", "--rayleigh-scattering=0", "--mie-scattering=0",
+                               f"--ground-albedo={albedo}")
+            for color, part in zip("rgb", colors):
+                self.assertAlmostEqual(float(row["Lg_" + color]), part / math.pi, places=9)
+
+    def test_haze_absorbs_its_share(self):
+        up = HEADER + "0,1,1,1\n"
+        [double] = self.table(up, "--orders=1", "--mie-scattering=8e-6")
+        [same] = self.table(up, "--orders=1", "--mie-scattering=8e-6", "--mie-extinction=8.88e-6")
+        for name in NEW:
+            self.assertAlmostEqual(float(double[name]) / float(same[name]), 1, places=12)
+        [earth] = self.table(up, "--orders=1")
+        [given] = self.table(up, "--orders=1", "--mie-scattering=4e-6", "--mie-g=0.8",
+                             "--rayleigh-scattering=5.8e-6,13.5e-6,33.1e-6", "--air-top=60000")
+        self.assertEqual(given, earth)
+
+    def test_models_take_the_same_air(self):
+        small = "--table-size=16x32x32x4"
+        air = ["--rayleigh-height=12e3", "--rayleigh-scattering=1e-5", "--planet-radius=2e6"]
+        haze = ["--mie-scattering=1e-5", "--mie-height=2000", "--ground-albedo=0.4"]
+        [once] = self.table(HEADER + ZENITH, "--orders=1", *air, *haze)
+        [clean] = self.table(HEADER + ZENITH, "--orders=1", *air, "--rayleigh-only")
+        for right, off, options in [
+            (once, 0.001, ["--model=auto", "--orders=1", *haze]),
+            (once, 0.03, ["--model=bruneton", "--orders=1", small, *haze]),
+            (once, 0.03, ["--model=single", small, *haze]),
+            (clean, 0.01, ["--model=chapman", "--chapman=better"]),
+        ]:
+            [row] = self.table(HEADER + ZENITH, *options, *air)
             for name in NEW:
                 self.assertAlmostEqual(float(row[name]) / float(right[name]), 1, delta=off,
                                        msg=f"{options} {name}")
@@ -198,6 +277,13 @@ class Pictures(CommandTest):
             (["--sky-orders", "'0'", "1..20"], ["--sky=auto", "--sky-orders=0"]),
             (["--sun", "--sky auto"], ["--sun=20,0"]),
             (["--altitude", "--sky auto"], ["--altitude=100"]),
+            (["--air-top", "--sky auto"], ["--air-top=50000"]),
+            (["--mie-g", "--rayleigh-only"], ["--sky=auto", "--rayleigh-only", "--mie-g=0.5"]),
+            (["--mie-g", "chapman"], ["--sky=chapman", "--mie-g=0.5"]),
+            (["--mie-scattering", "4e-06", "3e-06", "absorption"],
+             ["--sky=auto", "--mie-extinction=3e-6"]),
+            *(([option.split("=")[0], *told], ["--sky=auto", option])
+              for option, told in NONSENSE),
         ]:
             self.expect_error(USAGE, words, "render", SCENES / "one_lamp.glb", "-o", "out.png",
                               *options)
@@ -232,14 +318,27 @@ class WrongUsage(CommandTest):
             (["--model=single", "--irradiance-size=8x8"], ["--irradiance-size", "single"]),
             (["--model=bruneton", "--segments=8"], ["--segments", "bruneton"]),
             (["--model=bruneton", "--texels=2008"], ["--texels", "bruneton"]),
+            (["--model=single", "--texels=2017"], ["--texels", "single"]),
+            (["--model=auto", "--texels=exact"], ["--texels", "auto"]),
             (["--chapman=better"], ["--chapman", "reference"]),
             (["--precision=half"], ["--precision", "reference"]),
+            (["--model=chapman", "--mie-height=900"], ["--mie-height", "chapman"]),
+            (["--rayleigh-only", "--mie-scattering=0"], ["--mie-scattering", "--rayleigh-only"]),
         ]:
             self.refuse(USAGE, words, good, *options)
+        for option, words in NONSENSE:
+            self.refuse(USAGE, [option.split("=")[0], *words], good, option)
         self.expect_error(USAGE, ["--points"], "sky", "-o", "out.csv")
         self.expect_error(USAGE, ["--output"], "sky", "--points", "points.csv")
         self.expect_error(JOB_FAILED, ["nowhere", "folder"], "sky", "--points", "points.csv",
                           "-o", "nowhere/out.csv")
+
+    def test_too_little_memory(self):
+        # 2 of 4096^3 texels of 8 bytes, and for more orders 2 more while they are made.
+        for model, orders, megabytes in [("single", 1, 1048577), ("bruneton", 2, 2097152)]:
+            self.refuse(JOB_FAILED, [f"would take {megabytes} MB", "MB are free", "--table-size"],
+                        HEADER + ZENITH, f"--model={model}", f"--orders={orders}",
+                        "--table-size=4096x4096x1024x4")
 
     def test_missing_file(self):
         self.expect_error(BAD_INPUT, ["nothing.csv"], "sky", "--points", "nothing.csv", "-o", "-")

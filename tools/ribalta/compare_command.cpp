@@ -56,17 +56,24 @@ struct ReadPicture {
     RgbPicture picture;
     bool isLinear = false;  ///< cd/m2; otherwise display values in 0..1
     std::string sky;        ///< as the picture says; empty: it does not
+    std::string air;        ///< the sky's, likewise
 };
+
+// "" where the picture does not say so.
+std::string textFact(const FloatImage& image, const char* name) {
+    const auto fact = image.facts.find(name);
+    const auto* text =
+        fact == image.facts.end() ? nullptr : std::get_if<std::string>(&fact->second);
+    return text != nullptr ? *text : "";
+}
 
 ReadPicture read(const std::string& path, const std::string& layer) {
     const ImageFormat format = imageFormat(readFile(path));
     ReadPicture result;
     result.isLinear = format == ImageFormat::kOpenExr || format == ImageFormat::kHdr;
     const FloatImage image = readFloatImage(path);
-    if (const auto fact = image.facts.find(kSkyFact); fact != image.facts.end()) {
-        const auto* text = std::get_if<std::string>(&fact->second);
-        result.sky = text != nullptr ? *text : "";
-    }
+    result.sky = textFact(image, kSkyFact);
+    result.air = textFact(image, kSkyAirFact);
     result.picture = pickLayer(image, layer, {path, ""});
     return result;
 }
@@ -90,6 +97,11 @@ Comparison compareFiles(const CompareOptions& options) {
         throw Error(ErrorKind::kBadInput, {options.a, ""},
                     "is under another sky (" + a.sky + ") than " + options.b + " (" + b.sky +
                         "); draw one of them with the other's --sun, --altitude and --sky-orders");
+    }
+    if (!a.air.empty() && !b.air.empty() && a.air != b.air) {
+        throw Error(ErrorKind::kBadInput, {options.a, ""},
+                    "is of other air (" + a.air + ") than " + options.b + " (" + b.air +
+                        "); draw one of them with the other's air, ground and sun");
     }
     refuseOtherSize(a.picture, b.picture, {options.a, ""});
     refuseNonFinite(a.picture, {options.a, ""});

@@ -132,6 +132,8 @@ void drawReferenceFile(const ReferenceOptions& options) {
 
     if (const std::optional<SkyDrawing> sky = options.sky.parsed(loaded.scene)) {
         settings.sky = skyOf(*sky);
+        warnIfBelowGround(
+            skyEye(sky->air, sky->altitudeMetres, sky->towardsSun, settings.camera.frame.position));
     }
 
     const Clock::time_point start = Clock::now();

@@ -171,14 +171,7 @@ void tellOfFrames(const std::string& scene, const RenderStats& stats) {
 // What the picture leaves out of the sky's doing.
 void tellOfSky(const SkyWork& sky) {
     logNote("sky: daylight in the haze has no shafts: it meets no shadows on its way");
-    if (sky.eye.belowMetres > 0.0) {
-        char line[128];
-        std::snprintf(line, sizeof line,
-                      "sky: the camera is %.3g m below the planet's ground and looks from the "
-                      "ground; give --altitude to lift the scene",
-                      sky.eye.belowMetres);
-        logWarning(line);
-    }
+    warnIfBelowGround(sky.eye);
 }
 
 void tellOfPlan(const FramePlan& plan) {

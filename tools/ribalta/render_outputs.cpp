@@ -111,6 +111,7 @@ void writeOutputs(const RenderOutputs& outputs, const FramePlan& plan,
             frame = readFrame(plan, targets, outputs.layers);
             if (plan.sky) {
                 frame->facts[kSkyFact] = describeSky(skyOf(plan.sky->drawing));
+                frame->facts[kSkyAirFact] = describeAir(plan.sky->drawing.air);
             }
             warnOfNonFinite(*frame, file);
         }

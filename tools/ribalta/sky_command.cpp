@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "atmosphere_options.h"
 #include "base/log.h"
 #include "base/parallel_for.h"
 #include "base/progress.h"
@@ -30,7 +31,7 @@ struct SkyPointsOptions {
     std::string points;
     std::string output;
     SkyModelOptions model;
-    bool rayleighOnly = false;
+    AtmosphereOptions atmosphere;
     bool verbose = false;
 };
 
@@ -59,9 +60,8 @@ void logCost(const SkyCost& cost) {
     logVerbose(line);
 }
 
-std::vector<SkyLight> evaluate(const SkyModel& model, bool rayleighOnly,
+std::vector<SkyLight> evaluate(const SkyModel& model, const Atmosphere& air,
                                const std::vector<SkyRay>& rays) {
-    const Atmosphere air = rayleighOnly ? withoutMie(Atmosphere()) : Atmosphere();
     if (const auto* reference = std::get_if<ReferenceSky>(&model)) {
         return integrate(air, reference->orders, rays);
     }
@@ -80,6 +80,11 @@ std::vector<SkyLight> evaluate(const SkyModel& model, bool rayleighOnly,
 void writeSkyTable(const SkyPointsOptions& options) {
     setVerbose(options.verbose);
     const SkyModel model = options.model.parsed();
+    const Atmosphere air = options.atmosphere.parsed();
+    if (std::holds_alternative<ChapmanSky>(model) && !options.atmosphere.given(true).empty()) {
+        throw CLI::ValidationError(options.atmosphere.given(true),
+                                   "is of haze, which --model chapman has none of; leave it out");
+    }
     const bool toFile = options.output != "-";
     if (toFile) {
         const TemporaryFile probe(options.output);
@@ -87,7 +92,7 @@ void writeSkyTable(const SkyPointsOptions& options) {
     const std::vector<std::byte> bytes = readFile(options.points);
     const SkyPoints points =
         parseSkyPoints({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, options.points);
-    const std::string table = skyTable(points, evaluate(model, options.rayleighOnly, points.rays));
+    const std::string table = skyTable(points, evaluate(model, air, points.rays));
     if (toFile) {
         writeFileAtomically(options.output, table);
     } else {
@@ -113,11 +118,11 @@ void addSkyCommand(CLI::App& app) {
             "-o,--output", options->output,
             "table to write, - is stdout: the columns of the rays and, each of r, g, b, "
             "T_ (transmittance), L_ (light that the air scatters in, 1/sr), Lg_ (with what "
-            "the ground, of albedo 0.1, reflects straight into the ray)")
+            "the ground reflects straight into the ray)")
         ->type_name("FILE.csv|-")
         ->required();
     options->model.addTo(*command);
-    command->add_flag("--rayleigh-only", options->rayleighOnly, "air without haze (Mie)");
+    options->atmosphere.addTo(*command);
     command->add_flag("--verbose", options->verbose, "say what tables took");
     command->callback([options] { writeSkyTable(*options); });
 }

@@ -122,11 +122,12 @@ void SkyModelOptions::addDetailsTo(CLI::App& command) {
         ->check(CLI::IsMember({"half", "single"}).description(""));
     command
         .add_option("--texels", texels,
-                    "with single: how its table is made, exact (the default: what is off is what "
-                    "interpolation loses) or 2008 (from the table of transmittance in 50 steps, as "
-                    "the code of that year)")
+                    "with bruneton, single: how light scattered once is computed at the texels, "
+                    "exact (what is off is what interpolation loses; the default of single) or as "
+                    "published, from the table of transmittance in 50 steps: 2017 (bruneton's "
+                    "default), 2008 (single)")
         ->type_name("NAME")
-        ->check(CLI::IsMember({"exact", "2008"}).description(""));
+        ->check(CLI::IsMember({"exact", "2017", "2008"}).description(""));
     command
         .add_option("--chapman", chapmanForm,
                     "with chapman: Chapman's function as Schuler has it (schuler, the default), "
@@ -144,6 +145,7 @@ SkyModel SkyModelOptions::parsed(const std::string& modelOption,
                                  const std::string& ordersOption) const {
     const bool tables = model == "bruneton" || model == "single";
     const bool chapman = model == "chapman";
+    const bool once = model == "single" || chapman;
     struct Given {
         const char* option;
         bool given;
@@ -154,7 +156,7 @@ SkyModel SkyModelOptions::parsed(const std::string& modelOption,
         {"--transmittance-size", !transmittanceSize.empty(), tables},
         {"--irradiance-size", !irradianceSize.empty(), model == "bruneton"},
         {"--precision", !precision.empty(), tables},
-        {"--texels", !texels.empty(), model == "single"},
+        {"--texels", !texels.empty(), tables && texels != (once ? "2017" : "2008")},
         {"--chapman", !chapmanForm.empty(), chapman},
         {"--segments", segments.has_value(), chapman},
     }};
@@ -164,7 +166,6 @@ SkyModel SkyModelOptions::parsed(const std::string& modelOption,
                    "means nothing to " + modelOption + " " + model + "; leave it out");
         }
     }
-    const bool once = model == "single" || chapman;
     if (once && orders.value_or(1) != 1) {
         refuse(ordersOption,
                modelOption + " " + model + " knows light scattered once alone; leave it out");
@@ -183,7 +184,7 @@ SkyModel SkyModelOptions::parsed(const std::string& modelOption,
     }
     PrecomputedSkySettings sky = once ? simplifiedSky() : PrecomputedSkySettings{};
     sky.orders = orders.value_or(sky.orders);
-    sky.exactTexels = texels != "2008";
+    sky.exactTexels = texels.empty() ? sky.exactTexels : texels == "exact";
     sky.halfFloats = precision != "single";
     if (!tableSize.empty()) {
         sky.scattering = parseVolume(tableSize);

@@ -115,7 +115,7 @@ void SkyOptions::addPlaceTo(CLI::App& command) {
                     "(default: as often as it happens; with bruneton 4, single and chapman 1)")
         ->type_name("COUNT")
         ->check(expectOrders, "");
-    command.add_flag("--rayleigh-only", rayleighOnly, "with a sky: air without haze (Mie)");
+    atmosphere.addTo(command);
 }
 
 void SkyOptions::fillFrom(const std::optional<SkyLook>& look) {
@@ -150,13 +150,19 @@ void SkyOptions::check() const {
     if (sky == "none" && !sunTime.given().empty()) {
         throw CLI::ValidationError(sunTime.given(), "needs a sky: give --sky auto");
     }
-    if (sky == "none" && (sun || altitude || orders || rayleighOnly)) {
+    const std::string ofAir = atmosphere.given();
+    if (sky == "none" && (sun || altitude || orders || !ofAir.empty())) {
         throw CLI::ValidationError(sun        ? "--sun"
                                    : altitude ? "--altitude"
                                    : orders   ? "--sky-orders"
-                                              : "--rayleigh-only",
+                                              : ofAir,
                                    "needs a sky: give --sky auto");
     }
+    if (sky == "chapman" && !atmosphere.given(true).empty()) {
+        throw CLI::ValidationError(atmosphere.given(true),
+                                   "is of haze, which --sky chapman has none of; leave it out");
+    }
+    static_cast<void>(atmosphere.parsed());
     static_cast<void>(model());
 }
 
@@ -181,8 +187,9 @@ std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
     }
     SkyDrawing drawing;
     drawing.model = model();
+    drawing.air = atmosphere.parsed();
     // Schuler's model has no haze, whatever passes through its air.
-    if (rayleighOnly || std::holds_alternative<ChapmanSky>(drawing.model)) {
+    if (std::holds_alternative<ChapmanSky>(drawing.model)) {
         drawing.air = withoutMie(drawing.air);
     }
     drawing.altitudeMetres = altitude.value_or(0.0);
@@ -211,6 +218,17 @@ std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
                 kSunOfNoLamp + ", give --sun ELEVATION,AZIMUTH for another place");
     }
     return drawing;
+}
+
+void warnIfBelowGround(const SkyEye& eye) {
+    if (eye.belowMetres > 0.0) {
+        char line[160];
+        std::snprintf(line, sizeof line,
+                      "sky: the camera is %.3g m below the planet's ground and looks from the "
+                      "ground; give --altitude to lift the scene",
+                      eye.belowMetres);
+        logWarning(line);
+    }
 }
 
 }  // namespace ribalta

@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "atmosphere_options.h"
 #include "look/look.h"
 #include "render/sky_settings.h"
 #include "scene/scene.h"
+#include "sky/sky_eye.h"
 #include "sky_model_options.h"
 #include "sun_time_options.h"
 
@@ -17,7 +19,8 @@ class Option;
 
 namespace ribalta {
 
-/// The texts of --sky, --sun, --altitude, --sky-orders and of what belongs to one model of the sky.
+/// The texts of --sky, --sun, --altitude, --sky-orders, of what belongs to one model of the sky and
+/// of what the air is.
 /// Must outlive the parsing of the command it is added to.
 struct SkyOptions {
     std::string sky = "none";
@@ -26,7 +29,7 @@ struct SkyOptions {
     SunTimeOptions sunTime;
     std::optional<double> altitude;
     std::optional<int> orders;
-    bool rayleighOnly = false;
+    AtmosphereOptions atmosphere;
 
     void addTo(CLI::App& command);
     /// Of a command that has no sky but the renderer's own model, as a reference, and none of the
@@ -47,5 +50,8 @@ struct SkyOptions {
     void addPlaceTo(CLI::App& command);
     DrawnSky model() const;
 };
+
+/// Says on stderr that a camera is below the planet's ground, where it is.
+void warnIfBelowGround(const SkyEye& eye);
 
 }  // namespace ribalta

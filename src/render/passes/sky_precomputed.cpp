@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <optional>
 #include <string>
 
 #include <shared/sky_precomputed.h>
 #include <shared/slots.h>
 
+#include "base/error.h"
 #include "base/progress.h"
+#include "gl/available_texture_memory.h"
 #include "gl/counters.h"
 #include "gl/debug_output.h"
 #include "gl/program.h"
@@ -26,8 +29,6 @@ constexpr int kStepsOfExactTexel = 401;
 constexpr int kDirections = 512;
 
 constexpr int kGroup = 8;
-// Of the table by which exact texels are made.
-constexpr SkyPlaneSize kExactTransmittance{512, 128};
 
 GLuint groups(int size) {
     return GLuint((size + kGroup - 1) / kGroup);
@@ -45,6 +46,18 @@ gpu::PrecomputedSky describe(const PrecomputedSkySettings& settings) {
     result.scattering = glm::vec4(volume.suns, volume.viewAngles, volume.heights, volume.sunAngles);
     result.suns = glm::vec4(settings.lowestSun, 0.0F, 0.0F, 0.0F);
     return result;
+}
+
+// Drivers grant more than there is, and the system ends the program when it is used.
+void refuseWithoutMemory(const PrecomputedSkySettings& settings) {
+    const std::uint64_t needed = skyTableBytes(settings).peak;
+    const std::optional<std::uint64_t> available = availableTextureMemory();
+    if (available && needed > *available) {
+        throw Error(ErrorKind::kJobFailed, {},
+                    "the sky's tables would take " + std::to_string(needed >> 20U) + " MB, and " +
+                        std::to_string(*available >> 20U) +
+                        " MB are free; ask for smaller ones, --table-size");
+    }
 }
 
 void bindImage(int unit, GLuint texture, bool volume, GLenum access, GLenum format) {
@@ -93,13 +106,9 @@ class PrecomputedSky::Maker {
 
     SkyCost cost() {
         SkyCost cost;
-        const std::size_t kept = sky_.scattering_.bytes() + sky_.mie_.bytes() +
-                                 bytes(settings_.transmittance) +
-                                 (settings_.simplified ? 0 : bytes(settings_.irradiance));
-        cost.keptBytes = kept;
-        cost.peakBytes = kept + order_.bytes() + density_.bytes() +
-                         (settings_.simplified ? 0 : bytes(settings_.irradiance)) +
-                         (exact() ? bytes(kExactTransmittance) : 0);
+        const SkyTableBytes bytes = skyTableBytes(settings_);
+        cost.keptBytes = bytes.kept;
+        cost.peakBytes = bytes.peak;
         for (const PassTime& pass : timer_.take()) {
             cost.gpuSeconds += 1e-3 * pass.gpuMs;
         }
@@ -108,11 +117,7 @@ class PrecomputedSky::Maker {
     }
 
   private:
-    static std::size_t bytes(const SkyPlaneSize& size) {
-        return 16 * std::size_t(size.across) * std::size_t(size.heights);
-    }
-
-    bool exact() const { return settings_.simplified && settings_.exactTexels; }
+    bool exact() const { return settings_.exactTexels; }
     int samplesOfSingle() const { return exact() ? kStepsOfExactTexel : kStepsOfRay; }
     int width() const { return settings_.scattering.suns * settings_.scattering.sunAngles; }
 
@@ -251,6 +256,7 @@ PrecomputedSky::PrecomputedSky(const Atmosphere& atmosphere, const PrecomputedSk
     : atmosphere_(atmosphere), settings_(settings) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpuStart = std::clock();
+    refuseWithoutMemory(settings_);
     Maker maker(*this);
     maker.makeTables();
     cost_ = maker.cost();
