@@ -118,5 +118,16 @@ TEST_F(SkyBaselineTruth, BrunetonOnceScattered) {
     errorsOfTransmittance(lights, "T").expectBelow("their transmittance", {2e-4, 3e-3, 0.01, 0.04});
 }
 
+// What is off then is what interpolation loses; in twilight, where that is most, no less.
+TEST_F(SkyBaselineTruth, BrunetonOnceScatteredWithExactTexels) {
+    PrecomputedSkySettings settings;
+    settings.orders = 1;
+    settings.exactTexels = true;
+    const PrecomputedSky sky(Atmosphere(), settings);
+    SkyErrors errors = errorsOf(evaluatePrecomputedSky(sky, rays_), "L1");
+    errors.expectBelow("once scattered, exact texels", {0.0023, 0.045, 0.084, 1.9});
+    EXPECT_GT(errors.quantile(0.9), 0.03);
+}
+
 }  // namespace
 }  // namespace ribalta::test
