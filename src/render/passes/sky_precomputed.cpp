@@ -25,7 +25,7 @@ namespace {
 constexpr int kSamplesPerDispatch = 1 << 22;
 // A texel's, in the passes over the volume; as the shaders have them.
 constexpr int kStepsOfRay = 51;
-constexpr int kStepsOfExactTexel = 401;
+constexpr int kStepsOfExactTexel = 128;
 constexpr int kDirections = 512;
 
 constexpr int kGroup = 8;
