@@ -129,21 +129,21 @@ bool planetShadow(Air air, float h, float mu, float muS, float nu, OUT(float) en
 }
 
 /// Moves a ray that starts above the air (h > air.top) to where it enters it: metres to there, and
-/// mu and muS there; nu stays. False, and the start's values, where it passes the air by.
-bool enterAir(Air air, float h, float mu, float muS, float nu, OUT(float) t, OUT(float) muThere,
-              OUT(float) muSThere) {
+/// mu and muS there; nu stays. False, and the start's values, where it passes the air by. `sine` is
+/// of the angle whose cosine is mu: from far away mu alone does not tell where in the air a ray goes.
+bool enterAir(Air air, float h, float mu, float sine, float muS, float nu, OUT(float) t,
+              OUT(float) muThere, OUT(float) muSThere) {
     t = 0.0;
     muThere = mu;
     muSThere = muS;
     float r = air.groundRadius + h;
-    float square = (h - air.top) * (2.0 * air.groundRadius + air.top + h);
-    float discriminant = r * mu * (r * mu) - square;
-    if (mu >= 0.0 || discriminant <= 0.0) {
+    float radius = air.groundRadius + air.top;
+    float lowest = r * sine;
+    if (mu >= 0.0 || lowest >= radius) {
         return false;
     }
-    float s = sqrt(discriminant);
-    float radius = air.groundRadius + air.top;
-    t = square / (s - r * mu);
+    float s = sqrt((radius - lowest) * (radius + lowest));
+    t = (h - air.top) * (2.0 * air.groundRadius + air.top + h) / (s - r * mu);
     muThere = max(-s / radius, -1.0);
     muSThere = clamp((r * muS + t * nu) / radius, -1.0, 1.0);
     return true;

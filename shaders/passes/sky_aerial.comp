@@ -26,7 +26,7 @@ void main() {
     vec4 rest = vec4(0.0);
     vec4 mie = vec4(0.0);
     float entry;
-    if (intoAir(air, ray, entry) && entry < distanceMetres) {
+    if (intoAir(air, ray, zenithSine(direction), entry) && entry < distanceMetres) {
         float way = min(distanceMetres - entry, distanceToTop(air, ray.x, ray.y));
         SkyLight light = marchSky(air, ray, way);
         rest = vec4(light.rayleigh * phaseRayleigh(ray.w) + light.later, light.lengths.x);

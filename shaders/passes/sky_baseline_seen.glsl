@@ -5,12 +5,13 @@
 bool viewRayInAir(Air air, vec3 direction, OUT(vec4) ray, OUT(float) entry) {
     ray = vec4(sky.zenith.w, clamp(dot(direction, sky.zenith.xyz), -1.0, 1.0), sky.sun.w,
                clamp(dot(direction, sky.sun.xyz), -1.0, 1.0));
-    return intoAir(air, ray, entry);
+    return intoAir(air, ray, zenithSine(direction), entry);
 }
 
-/// For a sun of irradiance 1.
-vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
+/// For a sun of irradiance 1; nothing of it is left out.
+vec3 seenSky(Air air, vec3 direction, OUT(bool) ground, OUT(bool) edge) {
     ground = false;
+    edge = false;
     vec4 ray;
     float entry;
     if (!viewRayInAir(air, direction, ray, entry)) {

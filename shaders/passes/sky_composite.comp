@@ -19,19 +19,50 @@ layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
 layout(rgba32f, binding = kColorUnit) uniform image2D colorMap;
 
-const float kEndOfHaze = 1.0e6;  // metres
-
 #ifndef SKY_BASELINE
 layout(binding = kSkyViewUnit) uniform sampler2DArray skyView;
 layout(binding = kAerialUnit) uniform sampler2DArray aerial;
+#ifdef SKY_EDGES
+layout(std430, binding = kSkyEdgesSlot) readonly buffer Edges { uint edges[]; };
+layout(std430, binding = kSkyEdgeTilesSlot) buffer EdgeTiles {
+    SkyEdgeHead head;
+    uint tiles[];
+};
 
-/// For a sun of irradiance 1.
-vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
+/// Whether a texel around a place in a half of the table is one of sky_edges.comp's.
+bool isAtEdge(vec2 place, int half1) {
+    uvec2 low = uvec2(min(place, vec2(kSkyViewAzimuths - 2, kSkyViewAngles - 2)));
+    uint row = uint(kSkyEdgeWords) * (uint(half1 * kSkyViewAngles) + low.y);
+    uint next = row + uint(kSkyEdgeWords);
+    uvec2 columns = uvec2(low.x, low.x + 1u);
+    uvec2 words = columns / 32u;
+    uvec2 bits = uvec2(edges[row + words.x] | edges[next + words.x],
+                       edges[row + words.y] | edges[next + words.y]) >> columns % 32u;
+    return ((bits.x | bits.y) & 1u) != 0u;
+}
+
+void listTile(uvec2 at) {
+    uint across = (uint(view.picture.x) + uint(kSkyGroup) - 1u) / uint(kSkyGroup);
+    uint down = (uint(view.picture.y) + uint(kSkyGroup) - 1u) / uint(kSkyGroup);
+    if (atomicExchange(tiles[across * down + at.y * across + at.x], 1u) == 0u) {
+        uint slot = atomicAdd(head.count, 1u);
+        tiles[slot] = at.x | at.y << 16;
+        if (slot < uint(kMostSkyGroups)) {
+            atomicAdd(head.groupsX, 1u);
+        }
+    }
+}
+#endif
+
+/// For a sun of irradiance 1. `edge`: it is left out, to be summed up along this very ray.
+vec3 seenSky(Air air, vec3 direction, OUT(bool) ground, OUT(bool) edge) {
+    edge = false;
     float mu = dot(direction, sky.zenith.xyz);
     float nu = clamp(dot(direction, sky.sun.xyz), -1.0, 1.0);
     vec2 horizon = horizonPlace(air, sky.zenith.w);
     ground = mu < horizon.x;
-    float part = length(zenithPlace(mu) - horizon) /
+    float sine = zenithSine(direction);
+    float part = length(vec2(mu, sine) - horizon) /
                  length(endPlace(air, sky.zenith.w, ground) - horizon);
     if (part > 1.0 && !ground) {
         return vec3(0.0);
@@ -39,11 +70,17 @@ vec3 seenSky(Air air, vec3 direction, OUT(bool) ground) {
     float u = rowOfPart(air, sky.zenith.w, ground, clamp(part, 0.0, 1.0));
     float azimuth = acos(skyAzimuthCosine(mu, sky.sun.w, nu)) * kInversePi;
     vec2 last = vec2(kSkyViewAzimuths - 1, kSkyViewAngles - 1);
-    vec2 uv = (vec2(columnOfAzimuth(azimuth), u) * last + 0.5) / (last + 1.0);
+    vec2 texel = vec2(columnOfAzimuth(azimuth), u) * last;
+    vec2 uv = (texel + 0.5) / (last + 1.0);
     float layer = ground ? 2.0 : 0.0;
-    return fromSkyTexel(textureLod(skyView, vec3(uv, layer), 0.0).rgb) +
-           fromSkyTexel(textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb) *
-               phaseCornetteShanks(nu, air.mieG);
+    float phase = phaseCornetteShanks(nu, air.mieG);
+    vec3 light = fromSkyTexel(textureLod(skyView, vec3(uv, layer), 0.0).rgb) +
+                 fromSkyTexel(textureLod(skyView, vec3(uv, layer + 1.0), 0.0).rgb) * phase;
+#ifdef SKY_EDGES
+    edge = isAtEdge(texel, ground ? 1 : 0);
+    light = edge ? vec3(0.0) : light;
+#endif
+    return light;
 }
 
 #endif
@@ -57,7 +94,8 @@ vec3 seenSun(Air air, vec3 direction) {
     }
     vec4 ray = vec4(sky.zenith.w, dot(direction, sky.zenith.xyz), sky.sun.w, 1.0);
     float entry;
-    return disc * (intoAir(air, ray, entry) ? sunTransmittance(air, ray.x, ray.y) : vec3(1.0));
+    bool inAir = intoAir(air, ray, zenithSine(direction), entry);
+    return disc * (inAir ? sunTransmittance(air, ray.x, ray.y) : vec3(1.0));
 }
 
 /// Daylight that the haze scatters towards the eye over a way; neither is dimmed on its way in.
@@ -111,16 +149,23 @@ void main() {
                     litHaze(direction, metresOfHaze(origin, direction, metres));
     } else {
         bool ground;
-        vec3 behind = seenSky(air, direction, ground);
+        bool edge;
+        vec3 behind = seenSky(air, direction, ground, edge);
         if (!ground) {
             behind += seenSun(air, direction);
         }
         float metres = metresOfHaze(origin, direction, kEndOfHaze);
-        behind = behind * atmosphere.sun.rgb * transmittance(view.haze.y, metres) +
-                 litHaze(direction, metres);
+        float through = transmittance(view.haze.y, metres);
+        behind = behind * atmosphere.sun.rgb * through + litHaze(direction, metres);
         // What is see-through has been drawn over black.
         color.rgb += (1.0 - color.a) * behind;
-        color.a = 1.0;
+#ifdef SKY_EDGES
+        if (edge && color.a < 1.0) {
+            listTile(gl_WorkGroupID.xy);
+        }
+#endif
+        // What has yet to be added stays see-through.
+        color.a = edge ? color.a : 1.0;
     }
     imageStore(colorMap, at, color);
 }

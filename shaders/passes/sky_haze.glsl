@@ -2,6 +2,8 @@
 // cloud around the lamps' beams. The including file declares the block `sky`.
 #include "lib/haze_cloud.glsl"
 
+const float kEndOfHaze = 1.0e6;  // metres
+
 /// Metres as dense as at the stage on so many of a ray's metres, in view space.
 float metresOfHaze(vec3 origin, vec3 direction, float metres) {
     if (sky.hazePerMetre.w < 0.5) {

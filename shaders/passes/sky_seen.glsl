@@ -9,12 +9,9 @@ const float kSkyViewFloor = 1.0e-9;
 vec3 skyTexel(vec3 light) { return log(max(light, 0.0) + kSkyViewFloor); }
 vec3 fromSkyTexel(vec3 texel) { return max(exp(texel) - kSkyViewFloor, 0.0); }
 
-/// Directions as cosine and sine of their angle from the zenith: they tell angles at the horizon
+/// Directions are cosine and sine of their angle from the zenith: those tell angles at the horizon
 /// apart that arc functions, good to 1e-5, would not, and those are what the limb is wide as seen from
-/// space.
-vec2 zenithPlace(float mu) { return vec2(mu, sqrt(max((1.0 - mu) * (1.0 + mu), 0.0))); }
-
-/// The horizon at a height.
+/// space. The horizon at a height:
 vec2 horizonPlace(Air air, float h) {
     return vec2(-sqrt(max(airSquare(air, h), 0.0)), air.groundRadius) / (air.groundRadius + h);
 }
@@ -59,3 +56,27 @@ float rowOfPart(Air air, float h, bool ground, float part) {
 /// half a turn.
 float azimuthOfColumn(float column) { return column * sqrt(column); }
 float columnOfAzimuth(float azimuth) { return pow(azimuth, 2.0 / 3.0); }
+
+/// What is seen of air and ground along a ray, but for the phase function of what Mie's air scattered
+/// once; for a sun of irradiance 1.
+struct SeenLight {
+    vec3 rest;
+    vec3 mie;
+};
+
+/// `ray`: from any height; `sine`: of its angle from the zenith; `ground`: it ends there.
+SeenLight seenAlong(Air air, vec4 ray, float sine, bool ground) {
+    SeenLight seen = SeenLight(vec3(0.0), vec3(0.0));
+    float entry;
+    if (intoAir(air, ray, sine, entry)) {
+        float way = distanceInAir(air, ray.x, ray.y, ground);
+        SkyLight light = marchSky(air, ray, way);
+        seen.mie = light.mie;
+        seen.rest = light.rayleigh * phaseRayleigh(ray.w) + light.later;
+        if (ground) {
+            vec2 lengths = lengthsAlong(air, ray.x, ray.y, way, true);
+            seen.rest += groundLight(air, ray, way, airTransmittance(air, lengths.x, lengths.y));
+        }
+    }
+    return seen;
+}

@@ -1,6 +1,6 @@
 // The sky and the planet's ground as seen from the eye's height under the sun at hand, for all
 // directions. Layers: light but for what Mie's air scattered once, and that without its phase
-// function; of the upper half, then of the lower.
+// function (alpha: that function); of the upper half, then of the lower.
 #include "passes/sky_seen.glsl"
 
 layout(local_size_x = kSkyGroup, local_size_y = kSkyGroup) in;
@@ -24,20 +24,9 @@ void main() {
     float sines = place.y * sqrt(max((1.0 - muS) * (1.0 + muS), 0.0));
     vec4 ray = vec4(h, mu, muS, clamp(mu * muS + sines * cosAzimuth, -1.0, 1.0));
 
-    vec3 mie = vec3(0.0);
-    vec3 rest = vec3(0.0);
-    float entry;
-    if (intoAir(air, ray, entry)) {
-        float way = distanceInAir(air, ray.x, ray.y, ground);
-        SkyLight light = marchSky(air, ray, way);
-        mie = light.mie;
-        rest = light.rayleigh * phaseRayleigh(ray.w) + light.later;
-        if (ground) {
-            vec2 lengths = lengthsAlong(air, ray.x, ray.y, way, true);
-            rest += groundLight(air, ray, way, airTransmittance(air, lengths.x, lengths.y));
-        }
-    }
+    SeenLight seen = seenAlong(air, ray, place.y, ground);
     int layer = ground ? 2 : 0;
-    imageStore(skyView, ivec3(at, layer), vec4(skyTexel(rest), 0.0));
-    imageStore(skyView, ivec3(at, layer + 1), vec4(skyTexel(mie), 0.0));
+    imageStore(skyView, ivec3(at, layer), vec4(skyTexel(seen.rest), 0.0));
+    imageStore(skyView, ivec3(at, layer + 1),
+               vec4(skyTexel(seen.mie), phaseCornetteShanks(ray.w, air.mieG)));
 }

@@ -5,8 +5,10 @@ SHARED_BEGIN
 
 const int kSkyGroup = 8;         // invocations of a work group each way
 const int kSkyRayGroup = 64;     // of one that goes through a list of rays
+const int kMostSkyGroups = 65535; // of a list
 const int kSkyViewAzimuths = 56; // the table of what is seen from the eye's height
 const int kSkyViewAngles = 76;   // above the horizon, and as many below
+const int kSkyEdgeWords = 2;     // of 32 bits, for a row's columns
 const int kAerialAcross = 24;    // the table of the air in front of surfaces
 const int kAerialDown = 32;
 const int kAerialDepths = 20;
@@ -33,6 +35,16 @@ struct SkyRayLight {
     vec4 transmittance;
     vec4 air;     // for a sun of irradiance 1
     vec4 ground;
+};
+
+// What a list of the picture's tiles begins with: its work groups, and how many tiles it holds. It
+// goes on with the tiles (column, and row in the upper 16 bits), as many as there are, and for each
+// whether it is listed.
+struct SkyEdgeHead {
+    uint groupsX;
+    uint groupsY;
+    uint groupsZ;
+    uint count;
 };
 
 SHARED_END

@@ -60,6 +60,7 @@ SkyWork planSky(const Scene& scene, const Camera& camera, const FrameSettings& s
     work.makeTables = cache.air != work.drawing.air || cache.model != work.drawing.model ||
                       (own && cache.orders != work.drawing.orders);
     work.makeView = own && (work.makeTables || cache.view != work.viewKey());
+    work.edges = own && seesPlanetShadow(work.drawing.air, work.eye);
     work.aerial = surfaces;
     work.aerialKey = {camera, settings.width, settings.height, work.drawing, farthest};
     work.makeAerial = own && surfaces && (work.makeTables || cache.aerial != work.aerialKey);

@@ -54,6 +54,7 @@ struct SkyWork {
     SkyEye eye;
     bool makeTables = true;   ///< those of the air
     bool makeView = true;     ///< what is seen from the eye's height; the renderer's own model's
+    bool edges = false;       ///< the planet's shadow may be in view, whose edges that table blurs
     bool aerial = false;      ///< there are surfaces to stand in the air
     bool makeAerial = false;  ///< the table of the air before them; the own model's too
     AerialKey aerialKey;      ///< farthest: from the eye to the end of the scene

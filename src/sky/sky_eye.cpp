@@ -22,4 +22,13 @@ SkyEye skyEye(const Atmosphere& air, double altitudeMetres, const glm::dvec3& to
     return eye;
 }
 
+// Where a ray to the horizon touches the ground on the side away from the sun, the sun is lower by
+// as much as the horizon is at the eye; farther on, the ray rises over the horizon as fast as the
+// sun sinks.
+bool seesPlanetShadow(const Atmosphere& air, const SkyEye& eye) {
+    const double radius = air.groundRadiusMetres;
+    const double height = eye.heightMetres;
+    return eye.muS * (radius + height) < std::sqrt(height * (2.0 * radius + height));
+}
+
 }  // namespace ribalta

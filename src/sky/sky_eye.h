@@ -19,6 +19,10 @@ struct SkyEye {
     bool operator==(const SkyEye&) const = default;
 };
 
+/// Whether a ray from there may run through the planet's shadow before it leaves the air: not where
+/// the sun stands over the ground's horizon in all directions that it is seen in.
+bool seesPlanetShadow(const Atmosphere& air, const SkyEye& eye);
+
 /// `altitudeMetres`: of the origin; `towardsSun`: unit, world.
 SkyEye skyEye(const Atmosphere& air, double altitudeMetres, const glm::dvec3& towardsSun,
               const glm::dvec3& position);

@@ -35,8 +35,9 @@ std::optional<AirPath> airPath(const Atmosphere& atmosphere, const SkyRay& ray) 
     if (path.height > air.top) {
         const AirPath start = path;
         double entry = 0.0;
-        if (!shader::enterAir(air, start.height, start.mu, start.muS, start.nu, entry, path.mu,
-                              path.muS) ||
+        const double sine = std::sqrt((1.0 - start.mu) * (1.0 + start.mu));
+        if (!shader::enterAir(air, start.height, start.mu, sine, start.muS, start.nu, entry,
+                              path.mu, path.muS) ||
             entry >= distance) {
             return std::nullopt;
         }

@@ -251,6 +251,40 @@ TEST_F(SkyPicture, FromSpaceToo) {
     expectPicture({1e-3, 4e-3, 8e-3, 1e-1});
 }
 
+// From within the shadow, just below its edge, which rises out of the air opposite to the sun: blue
+// light falls from 2e-4 to nothing within a degree.
+TEST_F(SkyPicture, TheEdgeOfThePlanetsShadowIsAsSharpAsTheReferences) {
+    lookAt(-2.6826, {0, 4997, 0}, {-1, 4997.06, 0.09});
+    camera_ = makeCamera(camera_.frame.position, {-1, 4997.06, 0.09}, 0.15);
+    const Frame3 frame = drawOnce(scene_, camera_, settings_);
+    // What is before it dims it alone, once.
+    Material glass = makeMaterial(glm::vec3(0.0F));
+    glass.unlit = true;
+    glass.baseColor.w = 0.25F;
+    glass.alphaMode = Material::AlphaMode::kBlend;
+    glass.doubleSided = true;
+    addShape(scene_, makeQuad({-2, 4997, 0}, {0, 0, 9}, {0, 9, 0}), glass);
+    const Frame3 dimmed = drawOnce(scene_, camera_, settings_);
+    const SkyIntegrator exact(Atmosphere{}, {.orders = 1}, {});
+    const double lux = Atmosphere{}.sunIlluminanceLux.x;
+    double darkest = 1.0;
+    double brightest = 0.0;
+    for (int y = 0; y < settings_.height; ++y) {
+        for (int x = 0; x < settings_.width; x += 9) {
+            const glm::dvec3 right = exact.along(rayOf(x, y, 0.0)).air;
+            const glm::dvec3 got = frame.color(x, y) / lux;
+            darkest = std::min(darkest, right.z);
+            brightest = std::max(brightest, right.z);
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(got[c], right[c], 0.03 * right[c] + 3e-6) << x << ", " << y;
+                EXPECT_NEAR(dimmed.color(x, y)[c] / lux, 0.75 * got[c], 1e-3 * got[c] + 1e-9);
+            }
+        }
+    }
+    EXPECT_LT(darkest, 1e-8);
+    EXPECT_GT(brightest, 1e-4);
+}
+
 TEST_F(SkyPicture, AirBeforeSurfacesIsTheReferences) {
     for (const double metres : {50.0, 1e3, 10e3, 60e3}) {
         SCOPED_TRACE(metres);
@@ -351,9 +385,11 @@ TEST_F(SkyPicture, NoSkyMakesNothing) {
     EXPECT_EQ(with[2] - without[2], 4U);
     settings_.sky->towardsSun = {std::cos(-0.1), std::sin(-0.1), 0.0};
     const auto night = made(settings_);
-    EXPECT_EQ(with[0] - night[0], 1U) << "no shadows while the sun is down";
+    // None of those while the sun is down, but where the planet's own shadow ends, and what draws
+    // the sky there.
+    EXPECT_EQ(night[0] - without[0], 5U);
     EXPECT_EQ(with[1] - night[1], 1U);
-    EXPECT_EQ(with[2] - night[2], 1U);
+    EXPECT_EQ(night[2] - without[2], 5U);
 }
 
 }  // namespace

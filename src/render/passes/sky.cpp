@@ -1,6 +1,7 @@
 #include "render/passes/sky.h"
 
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include <shared/sky.h>
@@ -18,8 +19,8 @@ GLuint groups(int count) {
     return GLuint((count + gpu::kSkyGroup - 1) / gpu::kSkyGroup);
 }
 
-Texture2D table(const std::string& label, const Texture2D::Size& size) {
-    Texture2D texture(label, GL_RGBA32F, size);
+Texture2D table(const std::string& label, const Texture2D::Size& size, GLenum format = GL_RGBA32F) {
+    Texture2D texture(label, format, size);
     texture.setSampling(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
     return texture;
 }
@@ -47,6 +48,8 @@ const SkyLighting& SkyPass::prepare(const SkyWork& work) {
     if (defines != defines_) {
         defines_ = defines;
         view_ = {};
+        edgesProgram_ = {};
+        edgeTilesProgram_ = {};
         aerial_ = {};
         composite_.clear();
     }
@@ -101,18 +104,56 @@ void SkyPass::makeTable(Program& program, const std::string& shader, const Textu
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
+void SkyPass::makeViewTable(const SkyWork& work) {
+    if (!viewTable_) {
+        viewTable_ = table("sky view", {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 4, 1});
+    }
+    makeTable(view_, "passes/sky_view.comp", viewTable_,
+              {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 2});
+    if (work.edges) {
+        const std::size_t words = std::size_t(2) * gpu::kSkyViewAngles * gpu::kSkyEdgeWords;
+        edges_.write("edges of the sky view", bytesOf(std::vector<GLuint>(words)));
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSkyEdgesSlot, edges_.name());
+        glBindTextureUnit(gpu::kSkyViewUnit, viewTable_.name());
+        makeTable(edgesProgram_, "passes/sky_edges.comp", viewTable_,
+                  {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 2});
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+}
+
+void SkyPass::beginEdgeTiles(const FramePlan& plan) {
+    gpu::SkyEdgeHead head{};
+    head.groupsY = 1;
+    head.groupsZ = 1;
+    std::vector<GLuint> words(sizeof head / sizeof(GLuint) + std::size_t(2) *
+                                                                 groups(plan.settings.width) *
+                                                                 groups(plan.settings.height));
+    std::memcpy(words.data(), &head, sizeof head);
+    edgeTiles_.write("tiles at edges of the sky", bytesOf(words));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSkyEdgesSlot, edges_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSkyEdgeTilesSlot, edgeTiles_.name());
+}
+
+void SkyPass::drawEdgeTiles() {
+    if (!edgeTilesProgram_) {
+        edgeTilesProgram_ = Program({"passes/sky_edge_tiles.comp"}, defines_);
+    }
+    glUseProgram(edgeTilesProgram_.name());
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, edgeTiles_.name());
+    glDispatchComputeIndirect(0);
+    ++glCounters().drawCalls;
+}
+
 void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTargets& targets) {
     if (baseline_) {
         baseline_->bind();
     } else {
         textures_.bind();
     }
-    if (!viewTable_ && work.makeView) {
-        viewTable_ = table("sky view", {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 4, 1});
-    }
     if (work.makeView) {
-        makeTable(view_, "passes/sky_view.comp", viewTable_,
-                  {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 2});
+        makeViewTable(work);
     }
     if (work.makeAerial) {
         if (!aerialTable_) {
@@ -123,11 +164,17 @@ void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTarget
                   {gpu::kAerialAcross, gpu::kAerialDown, gpu::kAerialDepths});
     }
     const int phase = int(plan.settings.haze.phase.kind);
-    Program& composite = composite_[phase];
+    Program& composite = composite_[{phase, work.edges}];
     if (!composite) {
         std::vector<std::string> defines = defines_;
         defines.push_back("PHASE_KIND " + std::to_string(phase));
+        if (work.edges) {
+            defines.emplace_back("SKY_EDGES");
+        }
         composite = Program({"passes/sky_composite.comp"}, defines);
+    }
+    if (work.edges) {
+        beginEdgeTiles(plan);
     }
     glUseProgram(composite.name());
     glBindTextureUnit(gpu::kDepthUnit, targets.depth.name());
@@ -139,6 +186,9 @@ void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTarget
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     glDispatchCompute(groups(plan.settings.width), groups(plan.settings.height), 1);
     ++glCounters().drawCalls;
+    if (work.edges) {
+        drawEdgeTiles();
+    }
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }

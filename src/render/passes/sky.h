@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/buffer.h"
@@ -33,6 +34,10 @@ class SkyPass {
   private:
     void makeTable(Program& program, const std::string& shader, const Texture2D& table,
                    glm::ivec3 size);
+    void makeViewTable(const SkyWork& work);
+    /// An empty list of the picture's tiles, and what draws those that it was filled with.
+    void beginEdgeTiles(const FramePlan& plan);
+    void drawEdgeTiles();
 
     void prepareTables(const SkyWork& work);
 
@@ -45,8 +50,12 @@ class SkyPass {
     Buffer frame_;
     Program view_;
     Program aerial_;
-    std::map<int, Program> composite_;  ///< by the haze's phase function
+    Program edgesProgram_;
+    Program edgeTilesProgram_;
+    std::map<std::pair<int, bool>, Program> composite_;  ///< by the haze's phase function, edges
     Texture2D viewTable_;
+    Buffer edges_;  ///< where that is not to be interpolated
+    Buffer edgeTiles_;
     Texture2D aerialTable_;
 };
 

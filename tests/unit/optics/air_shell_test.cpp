@@ -181,7 +181,8 @@ TEST(AirShell, RaysFromSpaceEnterAtTheTop) {
         double t = 0.0;
         double mu = 0.0;
         double muS = 0.0;
-        if (!shader::enterAir(air, ray.height, ray.mu, ray.muS, ray.nu, t, mu, muS)) {
+        const double sine = std::sqrt((1.0 - double(ray.mu)) * (1.0 + double(ray.mu)));
+        if (!shader::enterAir(air, ray.height, ray.mu, sine, ray.muS, ray.nu, t, mu, muS)) {
             const Exact r = kRadius + ray.height;
             const Exact lowest = r * std::sqrt(1 - Exact(ray.mu) * ray.mu);
             EXPECT_TRUE(ray.mu >= 0.0F || lowest >= kRadius + kTop - 1e-6L) << ray.mu;
@@ -194,6 +195,24 @@ TEST(AirShell, RaysFromSpaceEnterAtTheTop) {
         EXPECT_NEAR(muS, double((r * ray.muS + t * ray.nu) / (kRadius + kTop)), 1e-9);
     }
     EXPECT_GT(entered, 2000);
+}
+
+// Single precision from four planet's radii away, where the limb is a hundredth of a radian wide.
+TEST(AirShell, RaysFromFarAwayAreToldApartByTheirSine) {
+    const auto air = earth<shader_float::Air>();
+    const float height = 2.5e7F;
+    const Exact r = kRadius + Exact(height);
+    for (int i = 0; i < 200; ++i) {
+        const Exact lowest = kRadius + kTop * Exact(i) / 200;
+        const float sine = float(lowest / r);
+        const float mu = -float(std::sqrt(1 - (lowest / r) * (lowest / r)));
+        float t = 0.0F;
+        float muThere = 0.0F;
+        float muS = 0.0F;
+        ASSERT_TRUE(shader_float::enterAir(air, height, mu, sine, 0.3F, 0.2F, t, muThere, muS));
+        const Exact reached = (kRadius + kTop) * std::sqrt(1 - Exact(muThere) * muThere);
+        EXPECT_NEAR(double(reached - lowest), 0.0, 5.0) << i;
+    }
 }
 
 TEST(AirShell, AirIsFiniteAndNeverNegativeForAnyInput) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "render/frame_plan.h"
+#include "sky/sky_ray.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
@@ -125,6 +126,39 @@ TEST(PlanSky, ThePlanetCurvesAway) {
     EXPECT_NEAR(skyEye(sky, {10e3, 0.0, 0.0}).muS, 10e3 / 6.36e6, 1e-8);
     sky.altitudeMetres = 400e3;
     EXPECT_NEAR(skyEye(sky, {0, 1e-3, 0}).heightMetres, 400e3 + 1e-3, 1e-8);
+}
+
+// By the shadow's own geometry: rays in all directions, cut where it begins.
+TEST(PlanSky, TheShadowIsInViewOnlyWhereARayMayEnterIt) {
+    int seen = 0;
+    int entered = 0;
+    for (const double height : {0.0, 2.0, 5e3, 59e3, 60e3}) {
+        for (int step = -40; step <= 60; ++step) {
+            SkyDrawing sky;
+            const double elevation = 0.005 * step;
+            sky.towardsSun = {std::cos(elevation), std::sin(elevation), 0.0};
+            sky.altitudeMetres = height;
+            const SkyEye eye = skyEye(sky, {});
+            bool enters = false;
+            for (int i = 0; i <= 400 && !enters; ++i) {
+                for (const double cosAzimuth : {-1.0, -0.9, 0.0, 0.9, 1.0}) {
+                    const double mu = 2.0 * std::pow(i / 400.0, 3.0) - 1.0 + 1e-9;
+                    const AirPath path =
+                        airPathTowards(sky.air, eye.heightMetres, mu, eye.muS, cosAzimuth);
+                    for (const PathPiece& piece : piecesOf(sky.air, path)) {
+                        // Below a metre edges are lost in rounding.
+                        enters = enters || (!piece.lit && piece.last - piece.first > 1.0);
+                    }
+                }
+            }
+            seen += seesPlanetShadow(sky.air, eye) ? 1 : 0;
+            entered += enters ? 1 : 0;
+            EXPECT_TRUE(!enters || seesPlanetShadow(sky.air, eye)) << height << ", " << elevation;
+        }
+    }
+    EXPECT_GT(entered, 200);
+    EXPECT_LT(seen, 1.2 * entered);
+    EXPECT_LT(seen, 450);
 }
 
 TEST(PlanSky, BelowTheGroundItLooksFromTheGround) {
