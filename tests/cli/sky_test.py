@@ -181,6 +181,8 @@ class Pictures(CommandTest):
         told = self.render("--sky=auto", "--sun=20,90", "--sky-orders=1")
         self.assertIn("sky_tables sky_view", told)
         self.assertIn("no shafts", told)
+        self.assertNotIn("shafts", self.render("--sky=auto", "--sun=20,90", "--sky-orders=1",
+                                               "--haze=0"))
         self.assertIn("sun_shadow[", told)
         self.assertNotIn("sun_shadow[", self.render("--sky=auto", "--sun=-5,90", "--sky-orders=1"))
 

@@ -169,8 +169,10 @@ void tellOfFrames(const std::string& scene, const RenderStats& stats) {
 }
 
 // What the picture leaves out of the sky's doing.
-void tellOfSky(const SkyWork& sky) {
-    logNote("sky: daylight in the haze has no shafts: it meets no shadows on its way");
+void tellOfSky(const SkyWork& sky, const Haze& haze) {
+    if (haze.scatteringPerMetre > 0.0 && !sky.haze.isEmpty()) {
+        logNote("sky: daylight in the haze has no shafts: it meets no shadows on its way");
+    }
     warnIfBelowGround(sky.eye);
 }
 
@@ -180,7 +182,7 @@ void tellOfPlan(const FramePlan& plan) {
                    " lamps cast no shadows: more lamps have casters than there are shadow maps");
     }
     if (plan.sky) {
-        tellOfSky(*plan.sky);
+        tellOfSky(*plan.sky, plan.settings.haze);
     }
 }
 
