@@ -110,8 +110,23 @@ int LookLightMaps::use(const std::filesystem::path& file, Scene& scene) {
     return index;
 }
 
-void LookLightMaps::forget(const std::filesystem::path& file) {
-    images_.erase(file);
+void LookLightMaps::reload(const std::filesystem::path& file, Scene& scene) {
+    const auto found = images_.find(file);
+    const int old = found == images_.end() ? -1 : found->second;
+    if (old >= 0) {
+        images_.erase(found);
+    }
+    try {
+        use(file, scene);
+    } catch (...) {
+        if (old >= 0) {
+            images_.emplace(file, old);
+        }
+        throw;
+    }
+    if (old >= 0) {
+        scene.images[std::size_t(old)].pixels = {};
+    }
 }
 
 std::vector<std::filesystem::path> LookLightMaps::files() const {
@@ -159,7 +174,11 @@ bool poseAt(const std::optional<LookTime>& time, Scene& scene) {
     }
     const int played = animationOf(time, scene);
     poseScene(scene, time->seconds, played);
-    return time->animation.empty() || played != kAllAnimations;
+    return knowsAnimation(*time, scene);
+}
+
+bool knowsAnimation(const LookTime& time, const Scene& scene) {
+    return time.animation.empty() || animationOf(time, scene) != kAllAnimations;
 }
 
 std::vector<std::string> lampsNotThere(const std::vector<LampChange>& changes, const Scene& scene) {

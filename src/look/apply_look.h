@@ -35,8 +35,10 @@ class LookLightMaps {
   public:
     /// Index into the scene's images. Throws Error(kBadInput) that names the file.
     int use(const std::filesystem::path& file, Scene& scene);
-    /// Forgets a file, so that its next use reads it anew, into an image of its own.
-    void forget(const std::filesystem::path& file);
+    bool uses(const std::filesystem::path& file) const { return images_.contains(file); }
+    /// Reads a file anew, into another image of the scene, which is to be brought to the lamps
+    /// next. Throws as use() does; the old image is kept then.
+    void reload(const std::filesystem::path& file, Scene& scene);
     /// The files in use.
     std::vector<std::filesystem::path> files() const;
 
@@ -51,6 +53,9 @@ void applyLamps(const std::vector<LampChange>& changes, LookLightMaps& lightMaps
 /// The animation that is played: an index into the scene's, or kAllAnimations, also where it has
 /// none of that name.
 int animationOf(const std::optional<LookTime>& time, const Scene& scene);
+
+/// Whether the scene has the animation that is named, if one is.
+bool knowsAnimation(const LookTime& time, const Scene& scene);
 
 /// Poses what is animated as the look has it, or puts it to rest. False where the look names an
 /// animation that the scene does not have: all of them are played then.

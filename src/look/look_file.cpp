@@ -179,8 +179,9 @@ LampChange readLampOf(JsonObject& object, const std::filesystem::path& folder) {
         lamp.color = glm::vec3(vectorOf(*color));
     }
     const auto inner = object.number("inner_cone_degrees", 0.0, 90.0);
-    const auto outer = object.number("outer_cone_degrees", 0.0, 90.0);
-    if (inner && outer && *inner > *outer) {
+    const auto outer = object.number("outer_cone_degrees", 0.01, 90.0);
+    // Radians and back may cost the last digit.
+    if (inner && outer && *inner > *outer + 1e-9) {
         refuse(object.place("inner_cone_degrees"), "is wider than the outer cone");
     }
     if (inner) {
@@ -193,6 +194,17 @@ LampChange readLampOf(JsonObject& object, const std::filesystem::path& folder) {
     lamp.lightMap = readLightMapOf(object, folder);
     object.refuseOthers();
     return lamp;
+}
+
+// Refuses the last lamp where it is there before.
+void refuseTwice(const std::vector<LampChange>& lamps, const JsonObject& object) {
+    for (std::size_t i = 0; i + 1 < lamps.size(); ++i) {
+        if (lamps[i].name == lamps.back().name && lamps[i].number == lamps.back().number) {
+            refuse(object.place("name"), "is '" + lamps.back().name +
+                                             "', which is there already; leave one of them out, or "
+                                             "give a number where several lamps have this name");
+        }
+    }
 }
 
 Json writeLampOf(const LampChange& lamp, const std::filesystem::path& folder) {
@@ -392,7 +404,8 @@ Look readLook(const std::filesystem::path& path) {
                   {"a look", "correct it or save the look again"});
     JsonObject object(json, file);
     checkVersion(object);
-    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    const std::filesystem::path folder =
+        std::filesystem::absolute(path).lexically_normal().parent_path();
     Look look;
     look.scene = object.text("scene").value_or("");
     if (std::optional<JsonObject> camera = object.object("camera")) {
@@ -409,6 +422,7 @@ Look readLook(const std::filesystem::path& path) {
     }
     for (JsonObject& lamp : object.objects("lamps")) {
         look.lamps.push_back(readLampOf(lamp, folder));
+        refuseTwice(look.lamps, lamp);
     }
     if (std::optional<JsonObject> haze = object.object("haze")) {
         look.haze = readHazeOf(*haze);
@@ -426,7 +440,8 @@ Look readLook(const std::filesystem::path& path) {
 }
 
 void writeLook(const Look& look, const std::filesystem::path& path) {
-    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    const std::filesystem::path folder =
+        std::filesystem::absolute(path).lexically_normal().parent_path();
     Json json;
     json["ribalta_look"] = kLookVersion;
     json["scene"] = look.scene;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include <shared/slots.h>
 #include <shared/surface.h>
@@ -226,6 +227,20 @@ void GpuScene::bindMaterial(const Scene& scene, const DrawItem& item) const {
 }
 
 void GpuScene::useLightMaps(const Scene& scene, const std::vector<int>& spots) {
+    std::set<int> given;
+    for (const SpotLight& lamp : scene.spotLights) {
+        if (lamp.lightMap) {
+            given.insert(lamp.lightMap->image);
+        }
+    }
+    const std::size_t gone = std::erase_if(
+        lightMapLayers_, [&](const auto& known) { return !given.contains(known.first); });
+    if (gone > 0) {
+        int layer = 0;
+        for (auto& known : lightMapLayers_) {
+            known.second = layer++;
+        }
+    }
     const std::size_t before = lightMapLayers_.size();
     for (const int spot : spots) {
         const SpotLight& lamp = scene.spotLights[std::size_t(spot)];
@@ -233,7 +248,11 @@ void GpuScene::useLightMaps(const Scene& scene, const std::vector<int>& spots) {
             lightMapLayers_.emplace(lamp.lightMap->image, int(lightMapLayers_.size()));
         }
     }
-    if (lightMapLayers_.size() == before) {
+    if (lightMapLayers_.size() == before && gone == 0) {
+        return;
+    }
+    if (lightMapLayers_.empty()) {
+        lightMaps_ = {};
         return;
     }
     // Layers have one size and number, so that a new one needs them all anew.

@@ -43,7 +43,8 @@ class GpuScene {
     /// Binds an item's material to its slot and the material's pictures to their units.
     void bindMaterial(const Scene& scene, const DrawItem& item) const;
 
-    /// Uploads those light maps of these spots, by index in the scene, that are not there yet.
+    /// Uploads those light maps of these spots, by index in the scene, that are not there yet, and
+    /// lets go of those that no lamp of the scene has any more.
     void useLightMaps(const Scene& scene, const std::vector<int>& spots);
     /// The light maps in use, one a layer; none where no lamp in use has one.
     const Texture2D& lightMaps() const { return lightMaps_; }

@@ -76,14 +76,18 @@ LitRegion litRegion(const Image& lightMap) {
     return region;
 }
 
-LitRegions litRegions(const Scene& scene) {
-    LitRegions regions;
+void addLitRegions(const Scene& scene, LitRegions& regions) {
     for (const SpotLight& lamp : scene.spotLights) {
         if (lamp.lightMap && !regions.contains(lamp.lightMap->image)) {
             regions.emplace(lamp.lightMap->image,
                             litRegion(scene.images[std::size_t(lamp.lightMap->image)]));
         }
     }
+}
+
+LitRegions litRegions(const Scene& scene) {
+    LitRegions regions;
+    addLitRegions(scene, regions);
     return regions;
 }
 

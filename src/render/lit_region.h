@@ -27,6 +27,8 @@ using LitRegions = std::map<int, LitRegion>;
 
 /// Of all light maps of the scene's lamps. Reads every texel.
 LitRegions litRegions(const Scene& scene);
+/// Those that are not there yet; a scene's lamps may be given others.
+void addLitRegions(const Scene& scene, LitRegions& regions);
 
 /// The lamp as far as its light goes: its outer cone angle narrowed to what its light map lets
 /// through, its intensity 0 where that is nothing. For telling what the lamp reaches, where its

@@ -32,7 +32,7 @@ void clear(const FrameTargets& targets) {
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const FileCache* files)
-    : scene_(scene), files_(files), litRegions_(litRegions(scene)), gpuScene_(scene) {}
+    : scene_(scene), files_(files), gpuScene_(scene) {}
 
 const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
     FrameInputs inputs = frameInputs(scene_, camera, settings);
@@ -41,6 +41,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         return plan_;
     }
     drawn_.reset();
+    addLitRegions(scene_, litRegions_);
     plan_ = planFrame(scene_, camera, settings, cache_, litRegions_);
     if (!targets_ || !targets_->suit(settings)) {
         targets_.reset();

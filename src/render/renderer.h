@@ -72,7 +72,7 @@ class Renderer {
 
     const Scene& scene_;
     const FileCache* const files_;
-    const LitRegions litRegions_;
+    LitRegions litRegions_;
     GpuScene gpuScene_;
     GpuFrame gpuFrame_;
     FrameCache cache_;

@@ -48,6 +48,12 @@ void BackgroundLoader::load(const std::filesystem::path& path) {
     }
 }
 
+void BackgroundLoader::reload(const std::filesystem::path& path) {
+    if (!next_ && (!reading_ || *reading_ == path)) {
+        load(path);
+    }
+}
+
 std::optional<BackgroundLoader::Result> BackgroundLoader::take() {
     std::optional<Result> result;
     {

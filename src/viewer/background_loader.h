@@ -28,6 +28,8 @@ class BackgroundLoader {
 
     /// Begins to read a file, or notes it as the next one where one is being read.
     void load(const std::filesystem::path& path);
+    /// The same of a scene that has changed; nothing where another one is already waited for.
+    void reload(const std::filesystem::path& path);
     /// The scene that has been read since the last call, if any. Called regularly; Window::wake()
     /// tells when.
     std::optional<Result> take();

@@ -1,7 +1,11 @@
 #include "viewer/lamp_marks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace ribalta {
 
@@ -40,6 +44,26 @@ std::optional<glm::dvec3> aimOf(const Scene& scene, const LampId& lamp, const Bo
         metres = std::min(4.0 * size, (bounds.low.y - frame.position.y) / ahead.y);
     }
     return frame.position + metres * ahead;
+}
+
+Frame turned(const Frame& frame, const glm::dvec3& direction) {
+    const glm::dvec3 from = frame.forward();
+    const glm::dvec3 to = glm::normalize(direction);
+    const glm::dvec3 axis = glm::cross(from, to);
+    const double sine = glm::length(axis);
+    const double angle = std::atan2(sine, glm::dot(from, to));
+    // Half a turn goes about the frame's own up.
+    const glm::dvec3 about = sine > 1e-12 ? axis / sine : frame.up();
+    const glm::dquat turn = glm::angleAxis(angle, about);
+    // Through lookAt's care for orthonormal columns.
+    return rigidFrame(glm::translate(glm::dmat4(1.0), frame.position) *
+                      glm::dmat4(glm::mat3_cast(turn) * frame.worldFromLocal));
+}
+
+double sharpnessOf(const SpotLight& spot) {
+    return spot.outerConeAngle > 0.0
+               ? std::clamp(spot.innerConeAngle / spot.outerConeAngle, 0.0, 1.0)
+               : 1.0;
 }
 
 int lampAt(const StageView& stage, const Camera& camera, glm::ivec2 size, glm::dvec2 at,

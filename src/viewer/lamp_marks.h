@@ -26,6 +26,13 @@ std::optional<glm::dvec3> placeOf(const Scene& scene, const LampId& lamp);
 /// wide. None for lamps of other kinds.
 std::optional<glm::dvec3> aimOf(const Scene& scene, const LampId& lamp, const Bounds& bounds);
 
+/// Turned the shortest way until it looks along `direction`, which is not zero: what it projects
+/// does not roll.
+Frame turned(const Frame& frame, const glm::dvec3& direction);
+
+/// The share of a spot's cone that is as bright as its middle, 0..1.
+double sharpnessOf(const SpotLight& spot);
+
 /// The nearest lamp whose mark lies within `reach` pixels of a place of the picture; -1: none.
 int lampAt(const StageView& stage, const Camera& camera, glm::ivec2 size, glm::dvec2 at,
            double reach);

@@ -1,6 +1,5 @@
-// Moves of a camera as a person asks for them: around a point, sideways, nearer, on foot. One that
-// is moved so follows its node no more. No
-// window.
+// Moves of a camera as a person asks for them: around a point, sideways, nearer, on foot. A camera
+// that is moved so follows its node no more. No window.
 #pragma once
 
 #include <glm/glm.hpp>

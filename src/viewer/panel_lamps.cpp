@@ -9,6 +9,7 @@
 #include <imgui/imgui_stdlib.h>
 
 #include "optics/color_temperature.h"
+#include "viewer/lamp_marks.h"
 #include "viewer/panels.h"
 
 namespace ribalta {
@@ -116,7 +117,7 @@ void editIntensity(ViewerState& state, const StageView& stage, const LampId& lam
         double lumen = intensity * angle;
         if (ImGui::DragScalar("lm, as if even", ImGuiDataType_Double, &lumen, speed * float(angle),
                               &low, &high, "%.6g", kFlags)) {
-            intensity = lumen / angle;
+            intensity = std::min(lumen / angle, high);
             changed = true;
         }
     }
@@ -156,11 +157,10 @@ void editCone(ViewerState& state, const LampId& lamp, const SpotLight& spot) {
                            ImGuiSliderFlags_AlwaysClamp)) {
         LampChange& change = state.changeOf(lamp.name, lamp.number);
         // The edge stays as soft as it is.
-        const double sharpness = spot.innerConeAngle / spot.outerConeAngle;
         change.outerConeAngle = 0.5 * double(outer) / kDegrees;
-        change.innerConeAngle = *change.outerConeAngle * sharpness;
+        change.innerConeAngle = *change.outerConeAngle * sharpnessOf(spot);
     }
-    auto soft = float(1.0 - spot.innerConeAngle / spot.outerConeAngle);
+    auto soft = float(1.0 - sharpnessOf(spot));
     if (ImGui::SliderFloat("soft edge", &soft, 0.0F, 1.0F, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
         state.changeOf(lamp.name, lamp.number).innerConeAngle =
             spot.outerConeAngle * (1.0 - double(soft));
@@ -172,7 +172,8 @@ void editAim(ViewerState& state, const LampId& lamp, const Frame& frame) {
     const glm::dvec3 ahead = frame.forward();
     auto pan = float(std::atan2(ahead.x, -ahead.z) * kDegrees);
     auto tilt = float(std::asin(std::clamp(ahead.y, -1.0, 1.0)) * kDegrees);
-    bool changed = ImGui::SliderFloat("pan", &pan, -180.0F, 180.0F, "%.1f degrees");
+    bool changed = ImGui::SliderFloat("pan", &pan, -180.0F, 180.0F, "%.1f degrees",
+                                      ImGuiSliderFlags_AlwaysClamp);
     changed |= ImGui::SliderFloat("tilt", &tilt, -89.9F, 89.9F, "%.1f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) {
@@ -180,8 +181,7 @@ void editAim(ViewerState& state, const LampId& lamp, const Frame& frame) {
         const double pitch = double(tilt) / kDegrees;
         const glm::dvec3 direction(std::sin(yaw) * std::cos(pitch), std::sin(pitch),
                                    -std::cos(yaw) * std::cos(pitch));
-        state.changeOf(lamp.name, lamp.number).frame =
-            lookAt(frame.position, frame.position + direction);
+        state.changeOf(lamp.name, lamp.number).frame = turned(frame, direction);
     }
 }
 
@@ -191,16 +191,21 @@ void editLightMap(ViewerState& state, const StageView& stage, const LampId& lamp
         spot.lightMap ? stage.scene().images[std::size_t(spot.lightMap->image)].name : "none";
     ImGui::Text("light map: %s", name.c_str());
     ImGui::TextDisabled("drop a picture on the window to change it");
-    static std::string file;
-    if (ImGui::InputText("file", &file, ImGuiInputTextFlags_EnterReturnsTrue) && !file.empty()) {
-        state.changeOf(lamp.name, lamp.number).lightMap.file = std::filesystem::path(file);
+    std::string& file = state.lightMapText;
+    if (ImGui::InputText("file##light map", &file, ImGuiInputTextFlags_EnterReturnsTrue) &&
+        !file.empty()) {
+        std::error_code failed;
+        state.changeOf(lamp.name, lamp.number).lightMap.file =
+            std::filesystem::absolute(file, failed).lexically_normal();
+        file.clear();
     }
     if (spot.lightMap) {
         if (ImGui::Button("no light map")) {
             state.changeOf(lamp.name, lamp.number).lightMap.file.emplace();
         }
         auto degrees = float(spot.lightMap->rotationRadians * kDegrees);
-        if (ImGui::SliderFloat("rotation", &degrees, -180.0F, 180.0F, "%.1f degrees")) {
+        if (ImGui::SliderFloat("rotation", &degrees, -180.0F, 180.0F, "%.1f degrees",
+                               ImGuiSliderFlags_AlwaysClamp)) {
             state.changeOf(lamp.name, lamp.number).lightMap.rotationRadians =
                 double(degrees) / kDegrees;
         }

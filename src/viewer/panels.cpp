@@ -79,6 +79,7 @@ void drawCameras(ViewerState& state, const StageView& stage) {
     }
     if (ImGui::Button("keep this view")) {
         Camera bookmark = now;
+        bookmark.node = -1;  // it stays, whatever its camera does
         bookmark.name = "view " + std::to_string(state.look.bookmarks.size() + 1);
         state.look.bookmarks.push_back(std::move(bookmark));
     }
@@ -93,7 +94,7 @@ void drawCameras(ViewerState& state, const StageView& stage) {
 
 void drawLookPanel(ViewerState& state) {
     std::string file = state.lookFile.string();
-    if (ImGui::InputText("file", &file)) {
+    if (ImGui::InputText("file##look", &file)) {
         state.lookFile = file;
     }
     if (ImGui::Button("save (Ctrl+S)")) {

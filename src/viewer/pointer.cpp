@@ -120,7 +120,7 @@ void Pointer::dragAim(ViewerState& state, const StageView& stage, glm::ivec2 win
             beside(state.view.camera, window, *aimOf(stage.scene(), *lamp, stage.bounds()), at_);
     }
     if (glm::distance(*target, frame.position) > 1e-6) {
-        state.changeOf(lamp->name, lamp->number).frame = lookAt(frame.position, *target);
+        state.changeOf(lamp->name, lamp->number).frame = turned(frame, *target - frame.position);
     }
 }
 
@@ -277,7 +277,7 @@ void zoom(LampChange& change, const SpotLight& spot, double factor) {
     // The scene follows the look once a frame, in which several keys may come.
     const double now = change.outerConeAngle.value_or(spot.outerConeAngle);
     const double outer = std::clamp(now * factor, kMinConeAngle, kMaxConeAngle);
-    change.innerConeAngle = outer * spot.innerConeAngle / spot.outerConeAngle;
+    change.innerConeAngle = outer * sharpnessOf(spot);
     change.outerConeAngle = outer;
 }
 

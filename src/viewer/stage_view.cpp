@@ -42,7 +42,7 @@ double StageView::durationSeconds(const Look& look) const {
 
 Camera StageView::posed(const Camera& camera) const {
     Camera moved = camera;
-    if (camera.node >= 0) {
+    if (camera.node >= 0 && camera.node < int(scene().nodes.size())) {
         moved.frame = rigidFrame(scene().nodes[std::size_t(camera.node)].worldFromLocal);
     }
     return moved;
@@ -58,6 +58,7 @@ void StageView::bring(const Look& look) {
 }
 
 const FramePlan& StageView::draw(const Camera& camera, const FrameSettings& settings) {
+    hasPicture_ = false;  // where drawing throws
     const FramePlan& plan = renderer_.draw(camera, settings);
     hasPicture_ = true;
     return plan;

@@ -41,8 +41,12 @@ class StageView {
     /// Error(kBadInput) where a light map cannot be read; the lamps are as the file has them then,
     /// but for those before it.
     void bring(const Look& look);
-    /// Reads a light map of a look anew when it is next brought.
-    void forgetLightMap(const std::filesystem::path& file) { lightMaps_.forget(file); }
+    /// Whether a file is a light map that the look gives to a lamp, and its new version, to be
+    /// brought again. Throws Error(kBadInput) where it cannot be read; the old one is kept then.
+    bool isLightMapOfLook(const std::filesystem::path& file) const { return lightMaps_.uses(file); }
+    void reloadLightMap(const std::filesystem::path& file) {
+        lightMaps_.reload(file, loaded_.scene);
+    }
 
     /// Draws, or keeps the picture where nothing changed.
     const FramePlan& draw(const Camera& camera, const FrameSettings& settings);

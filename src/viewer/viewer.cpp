@@ -1,116 +1,29 @@
 #include "viewer/viewer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <utility>
 
 #include "base/error.h"
-#include "base/log.h"
 #include "gl/counters.h"
 #include "gl/debug_output.h"
-#include "image/write_image.h"
-#include "look/look_file.h"
 #include "look/look_settings.h"
 #include "optics/photometry.h"
-#include "render/read_frame.h"
-#include "viewer/background_loader.h"
-#include "viewer/lamp_marks.h"
-#include "viewer/live_quality.h"
-#include "viewer/panels.h"
-#include "viewer/pointer.h"
-#include "viewer/stage_view.h"
-#include "viewer/watch_files.h"
-#include "viewer/window.h"
+#include "viewer/viewer_loop.h"
 
 namespace ribalta {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 // How long nothing must have moved before the picture is refined.
 constexpr double kRestSeconds = 0.15;
-// Frames of panels after the last event, until they have settled.
-constexpr int kSettlingFrames = 3;
 
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Where a look lies unless it is said: beside its scene.
-std::filesystem::path lookBeside(const std::filesystem::path& scene) {
-    std::filesystem::path file = scene;
-    return file.replace_extension(".look.json");
-}
-
-// The first of NAME_001.png, NAME_002.png, ... that is not there.
-std::filesystem::path freePicture(const std::filesystem::path& folder, const std::string& name) {
-    for (int number = 1;; ++number) {
-        char end[24];
-        std::snprintf(end, sizeof end, "_%03d.png", number);
-        const std::filesystem::path file = folder / (name + end);
-        if (!std::filesystem::exists(file)) {
-            return file;
-        }
-    }
-}
-
-class Viewer {
-  public:
-    explicit Viewer(ViewerOptions options);
-
-    ViewerStats run();
-
-  private:
-    void takeLoaded();
-    void takeChanged();
-    void takeDropped();
-    void drop(const std::filesystem::path& file);
-    void show(BackgroundLoader::Result result);
-    void bringLook();
-    void carryOut(ViewerRequests requests);
-    void saveLook();
-    void loadLook();
-    void reloadLook();
-    void savePicture();
-    void watchFiles();
-
-    void drawInterface();
-    void drawPicture();
-    void drawStill(const FrameSettings& still);
-    void playOn();
-    double secondsToWait() const;
-    std::string busy() const;
-    std::string probe() const;
-    FrameSettings stillSettings() const;
-
-    ViewerOptions options_;
-    Window window_;
-    FileWatch watch_;
-    BackgroundLoader loader_;
-    std::unique_ptr<StageView> stage_;
-    ViewerState state_;
-    std::vector<std::filesystem::path> watched_;  ///< of the scene and its light maps
-    Clock::time_point lastFrame_ = Clock::now();
-    bool played_ = false;  ///< in the frame before
-    Look broughtLook_;
-    Look savedLook_;  ///< as the look's file has it, where the window wrote it
-    Pointer pointer_;
-    LiveQuality quality_;
-    PictureFacts facts_;
-    ViewerStats stats_;
-
-    // What the last picture was asked for with, and since when that has been so.
-    std::optional<Viewpoint> seenFrom_;
-    std::optional<FrameSettings> seenAs_;
-    std::uint64_t lampsSeen_ = 0;
-    std::uint64_t lampsNow_ = 0;
-    Clock::time_point movedAt_;
-    Clock::time_point lastMove_;
-    int unsettled_ = kSettlingFrames;
-};
+}  // namespace
 
 Viewer::Viewer(ViewerOptions options)
     : options_(std::move(options)), window_("ribalta", options_.look.size.value_or(options_.size)) {
@@ -119,246 +32,7 @@ Viewer::Viewer(ViewerOptions options)
     facts_.renderer = window_.renderer();
     stats_.renderer = window_.renderer();
     if (options_.scene) {
-        loader_.load(*options_.scene);
-    }
-}
-
-void Viewer::watchFiles() {
-    watched_ = stage_->files();
-    std::vector<std::filesystem::path> files = watched_;
-    if (!state_.lookFile.empty() && std::filesystem::exists(state_.lookFile)) {
-        files.push_back(state_.lookFile);
-    }
-    watch_.watch(files);
-}
-
-void Viewer::show(BackgroundLoader::Result result) {
-    if (!result.scene) {
-        state_.sayError(result.error + (stage_ ? " (the scene stays as it was)" : ""));
-        return;
-    }
-    const bool isSame = stage_ && stage_->path() == result.path;
-    const std::size_t repaired = std::count_if(
-        result.scene->report.entries().begin(), result.scene->report.entries().end(),
-        [](const Report::Entry& entry) { return entry.kind == Report::Kind::kRepaired; });
-    if (stats_.scenesLoaded == 0) {
-        stats_.load = result.scene->stages;
-    }
-    ++stats_.scenesLoaded;
-    try {
-        // The old one first: two scenes may be more than the GPU's memory holds.
-        stage_.reset();
-        stage_ = std::make_unique<StageView>(std::move(*result.scene), result.path,
-                                             options_.cache ? &*options_.cache : nullptr);
-    } catch (const std::exception& error) {
-        state_.sayError(oneLine(error.what()));
-        return;
-    }
-    if (!isSame) {
-        const bool isFirst = stats_.scenesLoaded == 1;
-        const double aspectRatio =
-            double(std::max(1, window_.pixels().x)) / double(std::max(1, window_.pixels().y));
-        const Scene& scene = stage_->scene();
-        const Camera camera = isFirst && options_.look.camera ? *options_.look.camera
-                              : scene.cameras.empty()
-                                  ? makeFramingCamera(stage_->bounds(), aspectRatio)
-                                  : scene.cameras.front();
-        state_.view = viewpointOf(stage_->posed(camera), stage_->bounds());
-        state_.selected = -1;
-        state_.lookFile =
-            isFirst && !options_.lookFile.empty() ? options_.lookFile : lookBeside(result.path);
-        if (!isFirst) {
-            state_.look = Look{};
-        }
-        state_.look.scene = result.path.filename().string();
-        if (state_.lookFile != options_.lookFile && std::filesystem::exists(state_.lookFile)) {
-            state_.say("a look lies beside the scene: Ctrl+O loads " +
-                       state_.lookFile.filename().string());
-        }
-    }
-    for (const std::string& lamp : lampsNotThere(state_.look.lamps, stage_->scene())) {
-        state_.sayError("look: the scene has no lamp '" + lamp + "'");
-    }
-    window_.setTitle(result.path.filename().string() + " - ribalta");
-    state_.say((isSame ? "reloaded " : "opened ") + result.path.filename().string() +
-               (repaired == 0 ? ""
-                              : "; " + std::to_string(repaired) +
-                                    " things in it are mended: `ribalta inspect` lists them"));
-    seenFrom_.reset();
-    ++lampsNow_;
-    bringLook();
-}
-
-// Brings the look's lamps to the scene, and takes back what cannot be brought.
-void Viewer::bringLook() {
-    try {
-        stage_->bring(state_.look);
-    } catch (const Error& error) {
-        state_.sayError(error.what());
-        for (LampChange& change : state_.look.lamps) {
-            if (change.lightMap.file && change.lightMap.file->string() == error.place().file) {
-                change.lightMap.file.reset();
-            }
-        }
-        stage_->bring(state_.look);
-    }
-    if (state_.look.time != broughtLook_.time) {
-        follow(state_.view, stage_->posed(state_.view.camera).frame);
-    }
-    broughtLook_ = state_.look;
-    ++lampsNow_;
-    if (stage_->files() != watched_) {
-        watchFiles();
-    }
-}
-
-void Viewer::takeLoaded() {
-    if (std::optional<BackgroundLoader::Result> result = loader_.take()) {
-        show(std::move(*result));
-    }
-}
-
-void Viewer::takeChanged() {
-    for (const std::filesystem::path& file : watch_.takeChanged()) {
-        if (!stage_ || !std::filesystem::exists(file)) {
-            if (stage_) {
-                state_.sayError(file.string() + ": is gone (the picture stays as it was)");
-            }
-            continue;
-        }
-        const bool isLightMap = std::any_of(
-            state_.look.lamps.begin(), state_.look.lamps.end(), [&](const LampChange& change) {
-                return change.lightMap.file && *change.lightMap.file == file;
-            });
-        if (isLightMap) {
-            stage_->forgetLightMap(file);
-            bringLook();
-            state_.say("reloaded " + file.filename().string());
-        } else if (file.lexically_normal() ==
-                   std::filesystem::absolute(state_.lookFile).lexically_normal()) {
-            reloadLook();
-        } else {
-            loader_.load(stage_->path());
-        }
-    }
-}
-
-void Viewer::drop(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    if (ending == ".gltf" || ending == ".glb") {
-        loader_.load(file);
-    } else if (ending == ".json") {
-        state_.lookFile = file;
-        loadLook();
-    } else if (!stage_) {
-        state_.sayError(file.string() + ": is no scene; drop a .gltf or .glb file");
-    } else if (state_.selected < 0) {
-        state_.sayError(file.string() + ": choose a lamp first, to give it this light map");
-    } else {
-        const LampId& lamp = stage_->lamps()[std::size_t(state_.selected)];
-        if (lamp.kind == LampId::Kind::kSpot) {
-            state_.changeOf(lamp.name, lamp.number).lightMap.file =
-                std::filesystem::absolute(file).lexically_normal();
-        } else {
-            state_.sayError("lamp '" + lamp.name + "' is no spot and takes no light map");
-        }
-    }
-}
-
-void Viewer::takeDropped() {
-    for (const std::filesystem::path& file : window_.takeDropped()) {
-        drop(file);
-    }
-}
-
-void Viewer::saveLook() {
-    Look look = state_.look;
-    state_.isPlaying = false;
-    std::erase_if(look.lamps, [](const LampChange& change) { return change.isIdle(); });
-    look.camera = state_.view.camera;
-    look.size = window_.pixels();
-    try {
-        writeLook(look, state_.lookFile);
-        // What the file says, to the last digit, is what is shown from now on.
-        savedLook_ = readLook(state_.lookFile);
-        state_.look = savedLook_;
-        const int node = state_.view.camera.node;
-        state_.view.camera = *savedLook_.camera;
-        state_.view.camera.node = node;
-        state_.say("saved " + state_.lookFile.string());
-    } catch (const Error& error) {
-        state_.sayError(error.what());
-    }
-}
-
-void Viewer::loadLook() {
-    try {
-        Look look = readLook(state_.lookFile);
-        const std::vector<std::string> missing = lampsNotThere(look.lamps, stage_->scene());
-        for (const std::string& lamp : missing) {
-            state_.sayError("look: the scene has no lamp '" + lamp + "'");
-        }
-        if (look.camera) {
-            state_.view = viewpointOf(*look.camera, stage_->bounds());
-        }
-        state_.look = std::move(look);
-        state_.say("loaded " + state_.lookFile.string());
-    } catch (const Error& error) {
-        state_.sayError(std::string(error.what()) + " (the look stays as it was)");
-    }
-}
-
-// What the window itself wrote is what it shows.
-void Viewer::reloadLook() {
-    try {
-        if (readLook(state_.lookFile) == savedLook_) {
-            return;
-        }
-    } catch (const Error&) {
-        // Told by loadLook().
-    }
-    loadLook();
-}
-
-void Viewer::savePicture() {
-    const glm::ivec2 size = window_.pixels();
-    if (size.x == 0 || size.y == 0) {
-        state_.sayError("the window has no pixels to save");
-        return;
-    }
-    drawStill(stillSettings());
-    const std::filesystem::path file =
-        freePicture(options_.pictures, stage_->path().stem().string());
-    try {
-        writePng(file, size.x, size.y, readDisplay(stage_->renderer().targets()));
-        state_.say("saved " + file.string());
-    } catch (const Error& error) {
-        state_.sayError(error.what());
-    }
-}
-
-void Viewer::carryOut(ViewerRequests requests) {
-    state_.requests = {};
-    if (requests.quit) {
-        window_.close();
-    }
-    if (!stage_) {
-        return;
-    }
-    if (requests.reload) {
-        loader_.load(stage_->path());
-    }
-    if (requests.saveLook) {
-        saveLook();
-        watchFiles();
-    }
-    if (requests.loadLook) {
-        loadLook();
-    }
-    if (requests.savePicture) {
-        savePicture();
+        open(*options_.scene);
     }
 }
 
@@ -419,6 +93,10 @@ void Viewer::drawPicture() {
     const bool isFirst = !seenFrom_.has_value();
     if (moves) {
         movedAt_ = Clock::now();
+        failed_ = false;
+    }
+    if (failed_) {
+        return;
     }
     seenFrom_ = state_.view;
     seenAs_ = still;
@@ -431,9 +109,12 @@ void Viewer::drawPicture() {
         }
         return;
     }
-    if (!moves) {
-        return;
+    if (moves) {
+        drawMoving(still);
     }
+}
+
+void Viewer::drawMoving(const FrameSettings& still) {
     const Clock::time_point begin = Clock::now();
     const auto programsBefore = glCounters().programsBuilt;
     const FrameSettings coarse = quality_.coarsened(still);
@@ -469,11 +150,13 @@ void Viewer::drawInterface() {
 
 // Nothing needs drawing: until something comes. Otherwise until the picture is to be refined.
 double Viewer::secondsToWait() const {
+    // Nothing is to be seen in a window without pixels, which shows frames as fast as they come.
+    constexpr double kUnseenSeconds = 0.05;
     if (unsettled_ > 0 || pointer_.isWalking() || state_.isPlaying) {
-        return 0.0;
+        return hasPixels() ? 0.0 : kUnseenSeconds;
     }
     double seconds = std::numeric_limits<double>::infinity();
-    if (stage_ && !facts_.isStill) {
+    if (stage_ && !facts_.isStill && !failed_ && hasPixels()) {
         seconds = std::max(1e-3, kRestSeconds - secondsSince(movedAt_));
     }
     for (const ViewerMessage& message : state_.messages) {
@@ -501,23 +184,30 @@ ViewerStats Viewer::run() {
         takeDropped();
         drawInterface();
         carryOut(state_.requests);
-        const glm::ivec2 size = window_.pixels();
         playOn();
-        if (stage_ && size.x > 0 && size.y > 0) {
-            if (state_.look != broughtLook_) {
-                bringLook();
+        if (stage_ && state_.look != broughtLook_) {
+            bringLook();
+        }
+        if (stage_ && hasPixels()) {
+            try {
+                drawPicture();
+            } catch (const std::exception& error) {
+                failed_ = true;
+                state_.sayError(oneLine(error.what()));
             }
-            drawPicture();
         }
         const bool hasPicture = stage_ && stage_->hasPicture();
         window_.showFrame(hasPicture ? stage_->renderer().targets().screen.name() : 0, facts_.size);
         ++stats_.framesShown;
         stats_.glErrors += takeGlErrors().size();
     }
+    if (stage_) {
+        keepUnsavedLook();
+    }
+    // A scene that is still being read is read to its end, out of sight.
+    window_.hide();
     return stats_;
 }
-
-}  // namespace
 
 ViewerStats runViewer(ViewerOptions options) {
     Viewer viewer(std::move(options));

@@ -42,6 +42,7 @@ struct ViewerState {
     bool showStatistics = true;
     bool showLamps = true;
     std::string lampFilter;
+    std::string lightMapText;  ///< of the light map's field, until Enter
     std::filesystem::path lookFile;
     std::vector<ViewerMessage> messages;
     ViewerRequests requests;

@@ -53,20 +53,28 @@ void FileWatch::watch(const std::vector<std::filesystem::path>& files) {
         return;
     }
     const std::scoped_lock lock(mutex_);
-    for (const auto& [descriptor, folder] : folders_) {
-        inotify_rm_watch(queue_, descriptor);
-    }
-    folders_.clear();
     files_.clear();
+    std::set<std::filesystem::path> folders;
     for (const std::filesystem::path& file : files) {
         const std::filesystem::path path = plain(file);
         files_.insert(path);
+        folders.insert(path.parent_path());
+    }
+    // Watches that are still needed stay: what they have to tell would be lost with them.
+    std::erase_if(folders_, [&](const auto& watched) {
+        if (folders.erase(watched.second) > 0) {
+            return false;
+        }
+        inotify_rm_watch(queue_, watched.first);
+        return true;
+    });
+    for (const std::filesystem::path& folder : folders) {
         // Folders and not files: what is saved under another name and renamed is a new file.
-        const int descriptor = inotify_add_watch(queue_, path.parent_path().c_str(), kChanges);
+        const int descriptor = inotify_add_watch(queue_, folder.c_str(), kChanges);
         if (descriptor < 0) {
-            logWarning(path.string() + ": is not watched for changes: " + std::strerror(errno));
+            logWarning(folder.string() + ": is not watched for changes: " + std::strerror(errno));
         } else {
-            folders_[descriptor] = path.parent_path();
+            folders_[descriptor] = folder;
         }
     }
 }

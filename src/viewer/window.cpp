@@ -148,6 +148,11 @@ bool Window::isClosing() const {
     return glfwWindowShouldClose(window_) == GLFW_TRUE;
 }
 
+void Window::hide() {
+    glfwHideWindow(window_);
+    glfwPollEvents();
+}
+
 void Window::close() {
     glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
@@ -165,7 +170,6 @@ glm::vec2 Window::pixelScale() const {
 }
 
 bool Window::takeEvents(double seconds) {
-    const unsigned before = events_ + wakes;
     if (!(seconds > 0.0)) {
         glfwPollEvents();
     } else if (std::isinf(seconds)) {
@@ -173,7 +177,8 @@ bool Window::takeEvents(double seconds) {
     } else {
         glfwWaitEventsTimeout(seconds);
     }
-    return events_ + wakes != before;
+    const unsigned now = events_ + wakes;
+    return std::exchange(taken_, now) != now;
 }
 
 void Window::wake() {

@@ -35,6 +35,7 @@ class Window {
     void setTitle(const std::string& title);
     bool isClosing() const;
     void close();
+    void hide();
     /// Pixels to draw; zero where the window is minimised or dragged to nothing.
     glm::ivec2 pixels() const;
     /// Pixels of the picture for one unit of the pointer's coordinates.
@@ -65,6 +66,7 @@ class Window {
     GLFWwindow* window_ = nullptr;
     std::string renderer_;
     unsigned events_ = 0;
+    unsigned taken_ = 0;  ///< events and wakes that takeEvents() has told of
     std::vector<KeyPress> keys_;
     std::vector<std::filesystem::path> dropped_;
 };

@@ -10,7 +10,7 @@ import subprocess
 import time
 import unittest
 
-from command import (NO_OPENGL, PROGRAM, CommandTest, add_node, make_floor, make_moving_floor,
+from command import (NO_OPENGL, PROGRAM, SCENES, CommandTest, add_node, make_floor, make_moving_floor,
                      make_png, read_png)
 from desktop import Desktop, wait_until
 
@@ -135,7 +135,8 @@ class AnEvening(WindowTest):
         return WIDTH / 2, HEIGHT / 2 - focal * (5 - 2) / 8
 
     def test_find_and_keep_a_look(self):
-        self.write("gobo.png", make_png(8, 8, (255, 40, 40)))
+        # With a black rim, which is left out.
+        self.write("gobo.png", (SCENES / "gobo_star.png").read_bytes())
         self.open("floor.gltf")
         before = self.save_picture("floor_001.png")
 
@@ -279,7 +280,8 @@ class Idle(WindowTest):
         self.open("floor.gltf")
 
         self.rest(seconds=0.5)
-        # Messages have gone by now or go once; then nothing.
+        # Once more, after what was shown for a while has gone.
+        time.sleep(6)
         self.rest(seconds=0.5)
         self.close()
 
@@ -320,6 +322,42 @@ class BadInput(WindowTest):
         self.assertFalse(self.save_look("a.json")["lamps"][0]["on"])
         self.close()
 
+    def test_a_look_that_is_none(self):
+        """What is no look is told, and never written over."""
+        self.write("notes.json", b'{"mine": 1}')
+        self.open("floor.gltf")
+        self.drop("notes.json")
+        self.expect("ribalta_look")
+        self.save_look("floor.look.json")
+        self.assertEqual((self.folder / "notes.json").read_bytes(), b'{"mine": 1}')
+        self.close()
+
+    def test_what_is_not_saved_is_kept(self):
+        self.write("floor.look.json", b'{"ribalta_look": 1, "ambient_lux": 3}')
+        self.open("floor.gltf")
+        self.point(WIDTH / 2, HEIGHT / 2 - HEIGHT / 2 / math.tan(0.9 / 2) * 3 / 8)
+        self.desktop.do("click", 1)
+        self.rest()
+        self.press("o")
+        self.close()
+        kept = json.loads((self.folder / "floor.look.json~").read_text())
+        self.assertFalse(kept["lamps"][0]["on"])
+        self.assertIn(b"ambient_lux", (self.folder / "floor.look.json").read_bytes())
+
+    def test_a_scene_that_loses_what_was_chosen(self):
+        self.open("floor.gltf")
+        self.point(WIDTH / 2, HEIGHT / 2 - HEIGHT / 2 / math.tan(0.9 / 2) * 3 / 8)
+        self.desktop.do("click", 1)
+        self.rest()
+        self.write_scene("floor.gltf", make_floor(camera=False, spot=False))
+        self.expect("reloaded floor.gltf")
+        self.write("gobo.png", make_png(8, 8))
+        self.drop("gobo.png")
+        self.expect("choose a lamp first")
+        self.press("o", "f", "equal", "Return")
+        self.save_picture("floor_001.png")
+        self.close()
+
     def test_a_folder_that_cannot_be_written(self):
         self.open("floor.gltf", "--pictures", "nowhere", "--look", self.write(
             "a.json", b'{"ribalta_look": 1}'))
@@ -329,8 +367,11 @@ class BadInput(WindowTest):
 
     def test_ends_in_order_when_asked_to(self):
         self.open("floor.gltf")
+        before = self.files()
         self.process.send_signal(signal.SIGTERM)
         self.process.wait(timeout=60)
+        self.assertEqual(self.process.returncode, -signal.SIGTERM)
+        self.assertEqual(self.files(), before)
 
 
 class NoDisplay(CommandTest):

@@ -130,6 +130,24 @@ TEST(ApplyLamps, LightMapsAreReadOnceAndTakenAway) {
     EXPECT_FALSE(scene.spotLights[0].lightMap);
 }
 
+TEST(ApplyLamps, ABrokenNewVersionOfALightMapKeepsTheOld) {
+    const TestFolder folder;
+    test::PngParts grey{1, 1, 8, 0};
+    grey.rows = {std::string("\xff", 1)};
+    const auto file = folder.write("map.png", test::makePng(grey));
+    Scene scene = makeScene();
+    LookLightMaps lightMaps;
+    EXPECT_EQ(lightMaps.use(file, scene), 0);
+    folder.write("map.png", "half of a pic");
+    expectError(ErrorKind::kBadInput, {"map.png"}, [&] { lightMaps.reload(file, scene); });
+    EXPECT_EQ(lightMaps.use(file, scene), 0);
+    EXPECT_FALSE(scene.images[0].pixels.empty());
+    folder.write("map.png", test::makePng(grey));
+    lightMaps.reload(file, scene);
+    EXPECT_EQ(lightMaps.use(file, scene), 1);
+    EXPECT_TRUE(scene.images[0].pixels.empty());
+}
+
 TEST(ApplyLamps, ALightMapThatCannotBeReadIsNamed) {
     const TestFolder folder;
     folder.write("broken.png", "no picture");

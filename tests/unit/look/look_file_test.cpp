@@ -123,6 +123,19 @@ TEST(LookFile, LightMapsLieRelativeToTheFile) {
     EXPECT_EQ(text.str().find(folder.path().string()), std::string::npos) << text.str();
 }
 
+TEST(LookFile, LightMapsAreFoundFromAFolderWithDots) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder / "looks");
+    std::filesystem::create_directories(folder / "other");
+    Look look;
+    look.lamps.emplace_back();
+    look.lamps[0].lightMap.file = folder / "other/star.png";
+    const std::filesystem::path file = folder / "other/../looks/a.json";
+    writeLook(look, file);
+    EXPECT_EQ(readLook(file), look);
+    EXPECT_EQ(readLook(folder / "looks/a.json"), look);
+}
+
 TEST(LookFile, AFailedWriteLeavesWhatWasThere) {
     const TestFolder folder;
     expectError(ErrorKind::kJobFailed, {"none/a.json"},
@@ -159,6 +172,10 @@ TEST(LookFile, WhatIsWrongIsNamed) {
         {R"({"ribalta_look": 1, "time": {"seconds": -1}})", {"/time/seconds", "-1"}},
         {R"({"ribalta_look": 1, "lamps": {}})", {"/lamps", "array of objects"}},
         {R"({"ribalta_look": 1, "lamps": [{}]})", {"/lamps/0/name", "missing"}},
+        {R"({"ribalta_look": 1, "lamps": [{"name": "a"}, {"name": "b"}, {"name": "a"}]})",
+         {"/lamps/2/name", "there already"}},
+        {R"({"ribalta_look": 1, "lamps": [{"name": "a", "outer_cone_degrees": 0}]})",
+         {"/lamps/0/outer_cone_degrees", "0.01"}},
         {R"({"ribalta_look": 1, "lamps": [{"name": "a", "on": 1}]})", {"/lamps/0/on", "true"}},
         {R"({"ribalta_look": 1, "lamps": [{"name": "a", "color": [1, 1]}]})",
          {"/lamps/0/color", "3 numbers"}},

@@ -38,6 +38,25 @@ TEST(Project, OrthographicCamerasToo) {
     EXPECT_NEAR(seen->at.y, 75.0, 1e-9);
 }
 
+TEST(Turned, LooksThereWithoutRolling) {
+    // A gobo that stands askew keeps its angle to the horizon when it is swung along it.
+    Frame frame = lookAt({1.0, 2.0, 3.0}, {1.0, 2.0, -3.0});
+    const double roll = 0.3;
+    const glm::dmat3 axes = frame.worldFromLocal;
+    frame.worldFromLocal[0] = std::cos(roll) * axes[0] + std::sin(roll) * axes[1];
+    frame.worldFromLocal[1] = std::cos(roll) * axes[1] - std::sin(roll) * axes[0];
+    const Frame swung = turned(frame, {5.0, 0.0, -5.0});
+    EXPECT_EQ(swung.position, frame.position);
+    EXPECT_LT(glm::distance(swung.forward(), glm::normalize(glm::dvec3(1.0, 0.0, -1.0))), 1e-12);
+    EXPECT_NEAR(swung.right().y, frame.right().y, 1e-12);
+    for (const glm::dvec3& direction :
+         {frame.forward(), -frame.forward(), glm::dvec3(0.0, -2.0, 0.0)}) {
+        const Frame end = turned(frame, direction);
+        EXPECT_LT(glm::distance(end.forward(), glm::normalize(direction)), 1e-9);
+        EXPECT_NEAR(glm::determinant(end.worldFromLocal), 1.0, 1e-12);
+    }
+}
+
 TEST(AimOf, EndsOnTheScenesFloor) {
     Scene scene;
     scene.spotLights.emplace_back();
