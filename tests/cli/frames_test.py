@@ -176,6 +176,16 @@ class Frames(Moving):
         self.expect_done("render", "floor.gltf", "--size", "30x18", *command, "--fresh")
         self.assertGreater((self.folder / "a_0.png").stat().st_mtime_ns, before)
 
+    def test_what_has_other_layers_or_is_older_than_the_scene_is_not_kept(self):
+        command = ["--frames", "0:1", "-o", "b.exr"]
+        self.render(*command)
+        self.assertNotIn("were there already", self.render(*command, "--aov", "depth").stderr)
+        self.assertIn(b"\0Z\0", self.content("b_0001.exr"))
+        self.assertIn("2 of 2", self.render(*command).stderr)
+        later = (self.folder / "b_0001.exr").stat().st_mtime + 1
+        os.utime(self.folder / "floor.gltf", (later, later))
+        self.assertNotIn("were there already", self.render(*command).stderr)
+
     def test_auto_exposure_is_told(self):
         text = self.expect_done("render", "floor.gltf", "--size", "32x18", "--frames", "0:1", "-o",
                                 "a.png").stderr

@@ -84,8 +84,11 @@ std::optional<FrameRange> AnimationOptions::range() const {
     return range;
 }
 
-int AnimationOptions::chosen(const Scene& scene) const {
-    if (animation.value_or("all") == "all") {
+int AnimationOptions::chosen(const Scene& scene, const std::optional<LookTime>& otherwise) const {
+    if (!animation) {
+        return animationOf(otherwise, scene);
+    }
+    if (*animation == "all") {
         return kAllAnimations;
     }
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
@@ -119,7 +122,7 @@ void AnimationOptions::pose(Scene& scene, const std::optional<LookTime>& otherwi
         }
         return;
     }
-    const int played = chosen(scene);
+    const int played = chosen(scene, otherwise);
     if (scene.movers.empty()) {
         logWarning("nothing in the file is animated; the scene is drawn as it rests");
     }

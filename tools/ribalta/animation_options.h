@@ -38,9 +38,9 @@ struct AnimationOptions {
 
     /// None without --frames. Throws CLI::ValidationError that says what was expected.
     std::optional<FrameRange> range() const;
-    /// The animation that is played: an index into the scene's, or kAllAnimations. Throws
-    /// Error(kUsage) that says which there are.
-    int chosen(const Scene& scene) const;
+    /// The animation that is played: an index into the scene's, or kAllAnimations; that of
+    /// `otherwise` where none is given. Throws Error(kUsage) that says which there are.
+    int chosen(const Scene& scene, const std::optional<LookTime>& otherwise = {}) const;
     /// Poses the scene as --time asks, or as the first frame does; leaves it at rest without
     /// either, or at `otherwise`. Says on stderr where there is nothing to play.
     void pose(Scene& scene, const std::optional<LookTime>& otherwise = {}) const;

@@ -83,7 +83,18 @@ std::vector<std::filesystem::path> allFrameFiles(const std::vector<std::filesyst
     return files;
 }
 
-bool isWholePicture(const std::filesystem::path& path, int width, int height) {
+std::filesystem::file_time_type newestOf(const std::vector<std::filesystem::path>& files) {
+    auto newest = std::filesystem::file_time_type::min();
+    for (const std::filesystem::path& file : files) {
+        std::error_code missing;
+        const auto written = std::filesystem::last_write_time(file, missing);
+        newest = missing ? newest : std::max(newest, written);
+    }
+    return newest;
+}
+
+bool isWholePicture(const std::filesystem::path& path, int width, int height,
+                    const FrameLayers& layers) {
     std::error_code missing;
     if (!std::filesystem::is_regular_file(path, missing)) {
         return false;
@@ -93,7 +104,12 @@ bool isWholePicture(const std::filesystem::path& path, int width, int height) {
             return isWholePng(path, width, height);
         }
         const FloatImage image = readFloatImage(path);
-        return image.width == width && image.height == height;
+        const auto has = [&](bool wanted, const char* channel) {
+            return !wanted || image.channel(channel) >= 0;
+        };
+        return image.width == width && image.height == height && has(layers.beams, "beams.R") &&
+               has(layers.transmittance, "transmittance.R") && has(layers.depth, "Z") &&
+               has(layers.normal, "normal.X");
     } catch (const Error&) {
         return false;  // it cannot be read, and so is not whole
     }

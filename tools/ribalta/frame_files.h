@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "animation_options.h"
+#include "render/read_frame.h"
 
 namespace ribalta {
 
@@ -23,7 +24,12 @@ std::filesystem::path numbered(const std::filesystem::path& picture, int frame);
 std::vector<std::filesystem::path> allFrameFiles(const std::vector<std::filesystem::path>& outputs,
                                                  const FrameRange& range);
 
-/// Whether the file is a .png or .exr of this size from its first byte to its last.
-bool isWholePicture(const std::filesystem::path& path, int width, int height);
+/// When the newest of these files was written; long ago where none of them is there.
+std::filesystem::file_time_type newestOf(const std::vector<std::filesystem::path>& files);
+
+/// Whether the file is a .png or .exr of this size from its first byte to its last; an .exr with
+/// these layers.
+bool isWholePicture(const std::filesystem::path& path, int width, int height,
+                    const FrameLayers& layers);
 
 }  // namespace ribalta

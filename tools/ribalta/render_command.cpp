@@ -239,8 +239,8 @@ void render(RenderOptions& options) {
 
     if (frames) {
         renderFrames({loaded.scene, renderer, camera, settings, outputs, *frames,
-                      options.animation.chosen(loaded.scene), options.animation.fresh,
-                      [&](Scene& scene) { broughtLook.bring(scene); }});
+                      options.animation.chosen(loaded.scene, look.time), options.animation.fresh,
+                      newestOf(loaded.files), [&](Scene& scene) { broughtLook.bring(scene); }});
         tellOfPlan(renderer.lastPlan());
         return;
     }

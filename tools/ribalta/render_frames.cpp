@@ -97,7 +97,9 @@ bool FrameRun::drawFrame(int frame) {
     const std::size_t wanted = missing.files.size();
     if (!job_.fresh) {
         std::erase_if(missing.files, [&](const std::filesystem::path& file) {
-            return isWholePicture(file, job_.settings.width, job_.settings.height);
+            return newestOf({file}) >= job_.newestInput &&
+                   isWholePicture(file, job_.settings.width, job_.settings.height,
+                                  job_.outputs.layers);
         });
     }
     kept_ += wanted > 0 && missing.files.empty() ? 1 : 0;
@@ -153,7 +155,8 @@ void FrameRun::tell(int done, int signal) const {
     if (signal != 0) {
         logWarning(
             "interrupted: " + std::to_string(done) + " of " + std::to_string(job_.range.count()) +
-            (films_.empty() ? " frames are done and kept; the same command goes on from there"
+            (films_.empty() ? std::string(" frames are done and kept; the same command ") +
+                                  (job_.fresh ? "without --fresh " : "") + "goes on from there"
                             : " frames were drawn; the film is not written, pictures are"));
     }
 }

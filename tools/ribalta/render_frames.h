@@ -23,6 +23,8 @@ struct FramesJob {
     FrameRange range;
     int animation = kAllAnimations;
     bool fresh = false;  ///< pictures that are there are drawn anew
+    /// Pictures that are older are drawn anew too: the scene or the look has changed since.
+    std::filesystem::file_time_type newestInput = std::filesystem::file_time_type::min();
     std::function<void(Scene&)> afterPose = [](Scene&) {};  ///< what else is changed then
 };
 

@@ -117,7 +117,8 @@ void SkyPass::makeViewTable(const SkyWork& work) {
         glBindTextureUnit(gpu::kSkyViewUnit, viewTable_.name());
         makeTable(edgesProgram_, "passes/sky_edges.comp", viewTable_,
                   {gpu::kSkyViewAzimuths, gpu::kSkyViewAngles, 2});
-        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+        // Read by the composite, written anew when the sun has moved.
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     }
 }
 
@@ -190,7 +191,8 @@ void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTarget
         drawEdgeTiles();
     }
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace ribalta
