@@ -109,12 +109,10 @@ void Pointer::dragAim(ViewerState& state, const StageView& stage, glm::ivec2 win
         return;
     }
     const Frame& frame = stage.scene().spotLights[std::size_t(lamp->index)].frame;
-    const FrameSettings& drawn = stage.renderer().lastPlan().settings;
-    const glm::dvec2 share =
-        glm::clamp(at_ / glm::dvec2(window), glm::dvec2(0.0), glm::dvec2(0.9999));
-    const glm::ivec2 pixel(int(share.x * drawn.width),
-                           drawn.height - 1 - int(share.y * drawn.height));
-    std::optional<glm::dvec3> target = stage.surfaceAt(pixel);
+    std::optional<glm::dvec3> target;
+    if (stage.hasPicture()) {
+        target = stage.surfaceAt(stage.pixelAt(at_ / glm::dvec2(window)));
+    }
     if (!target) {
         target =
             beside(state.view.camera, window, *aimOf(stage.scene(), *lamp, stage.bounds()), at_);
@@ -286,9 +284,7 @@ void handleSceneKey(const KeyPress& press, ViewerState& state, const StageView& 
     const std::vector<Camera>& cameras = stage.scene().cameras;
     const LampId* lamp = chosen(state, stage);
     if (press.key == GLFW_KEY_ENTER) {
-        const Camera home =
-            cameras.empty() ? makeFramingCamera(stage.bounds(), aspectRatio) : cameras.front();
-        state.view = viewpointOf(stage.posed(home), stage.bounds());
+        state.view = viewpointOf(stage.homeCamera(aspectRatio), stage.bounds());
     } else if (press.key == GLFW_KEY_C && !cameras.empty()) {
         state.view =
             viewpointOf(stage.posed(nextCamera(cameras, state.view.camera)), stage.bounds());

@@ -48,6 +48,11 @@ Camera StageView::posed(const Camera& camera) const {
     return moved;
 }
 
+Camera StageView::homeCamera(double aspectRatio) const {
+    return scene().cameras.empty() ? makeFramingCamera(bounds_, aspectRatio)
+                                   : posed(scene().cameras.front());
+}
+
 void StageView::bring(const Look& look) {
     Scene& scene = loaded_.scene;
     scene.spotLights = asLoaded_.spotLights;
@@ -62,6 +67,14 @@ const FramePlan& StageView::draw(const Camera& camera, const FrameSettings& sett
     const FramePlan& plan = renderer_.draw(camera, settings);
     hasPicture_ = true;
     return plan;
+}
+
+glm::ivec2 StageView::pixelAt(glm::dvec2 share) const {
+    const FrameSettings& drawn = renderer_.lastPlan().settings;
+    const glm::ivec2 size(drawn.width, drawn.height);
+    const glm::ivec2 pixel =
+        glm::clamp(glm::ivec2(glm::floor(share * glm::dvec2(size))), glm::ivec2(0), size - 1);
+    return {pixel.x, size.y - 1 - pixel.y};
 }
 
 std::optional<glm::dvec3> StageView::surfaceAt(glm::ivec2 pixel) const {

@@ -36,6 +36,8 @@ class StageView {
     double durationSeconds(const Look& look) const;
     /// Where a camera stands as its node is posed; one without a node stays.
     Camera posed(const Camera& camera) const;
+    /// The scene's first camera, posed, or one that frames the scene where it has none.
+    Camera homeCamera(double aspectRatio) const;
 
     /// Poses the scene at the look's time and brings the look's lamps to it. Throws
     /// Error(kBadInput) where a light map cannot be read; the lamps are as the file has them then,
@@ -56,6 +58,9 @@ class StageView {
 
     /// Whether there is a frame to look at yet.
     bool hasPicture() const { return hasPicture_; }
+    /// The pixel of the last frame (from the lower left) at a share of the window's width and
+    /// height (from the upper left), 0..1; kept within the frame. Needs a frame.
+    glm::ivec2 pixelAt(glm::dvec2 share) const;
     /// The point of a surface that is seen at a pixel of the last frame (from the lower left), in
     /// world metres; none where nothing is hit, and without a frame. Waits for the GPU.
     std::optional<glm::dvec3> surfaceAt(glm::ivec2 pixel) const;

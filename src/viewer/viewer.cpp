@@ -54,11 +54,9 @@ std::string Viewer::probe() const {
     if (share.x < 0.0 || share.y < 0.0 || share.x >= 1.0 || share.y >= 1.0) {
         return {};
     }
-    const glm::ivec2 pixel(int(share.x * facts_.size.x),
-                           facts_.size.y - 1 - int(share.y * facts_.size.y));
     char text[96];
     std::snprintf(text, sizeof text, state_.highestLux ? "%.4g lx" : "%.4g cd/m2",
-                  luminance(stage_->lightAt(pixel)));
+                  luminance(stage_->lightAt(stage_->pixelAt(share))));
     return text;
 }
 

@@ -151,15 +151,13 @@ void Viewer::show(BackgroundLoader::Result result) {
 void Viewer::beginScene(bool isFirst) {
     const double aspectRatio =
         double(std::max(1, window_.pixels().x)) / double(std::max(1, window_.pixels().y));
-    const Scene& scene = stage_->scene();
     if (!isFirst) {
         state_.look = Look{};
     }
     state_.look.scene = stage_->path().filename().string();
-    const Camera camera = state_.look.camera      ? *state_.look.camera
-                          : scene.cameras.empty() ? makeFramingCamera(stage_->bounds(), aspectRatio)
-                                                  : scene.cameras.front();
-    state_.view = viewpointOf(stage_->posed(camera), stage_->bounds());
+    const Camera camera =
+        state_.look.camera ? *state_.look.camera : stage_->homeCamera(aspectRatio);
+    state_.view = viewpointOf(camera, stage_->bounds());
     ownsLookFile_ = isFirst && !options_.lookFile.empty();
     state_.lookFile = ownsLookFile_ ? options_.lookFile : lookBeside(stage_->path());
     keptLook_ = state_.look;
