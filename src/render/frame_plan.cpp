@@ -135,6 +135,10 @@ void planForward(const Scene& scene, const std::vector<bool>& visible, FramePlan
         depth[i] = depthOf(plan.camera, bounds.centre());
         const bool blended =
             materialOf(scene, plan.draws[i]).alphaMode == Material::AlphaMode::kBlend;
+        // Light that falls on what is behind a veil cannot be shown with that on the veil.
+        if (blended && plan.settings.illuminance) {
+            continue;
+        }
         (blended ? work.blended : work.opaque).push_back(int(i));
     }
     const auto nearer = [&](int a, int b) { return depth[std::size_t(a)] < depth[std::size_t(b)]; };

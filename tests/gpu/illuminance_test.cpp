@@ -76,6 +76,17 @@ TEST_F(Illuminance, AmbientLightAndShadows) {
     EXPECT_NEAR(luminance(frame.color(settings_.width / 2, settings_.height / 2)), 7.0, 1e-3);
 }
 
+TEST_F(Illuminance, IsSeenThroughVeils) {
+    Scene scene = floorOf(makeMaterial({0.3F, 0.3F, 0.3F}));
+    scene.spotLights.push_back(makeSpot({0, 5, 0}, {0, 0, 0}, 0.9));
+    const glm::dvec3 bare = drawOnce(scene, camera_, settings_).color(20, 20);
+    Material veil = makeMaterial({1, 1, 1});
+    veil.alphaMode = Material::AlphaMode::kBlend;
+    veil.baseColor.w = 0.2F;
+    addShape(scene, makeQuad({0, 7, 0}, {6, 0, 0}, {0, 0, -6}), veil);
+    EXPECT_EQ(drawOnce(scene, camera_, settings_).color(20, 20), bare);
+}
+
 TEST_F(Illuminance, FalseColoursAreThoseOfTheLegend) {
     Scene scene = floorOf(makeMaterial({0.3F, 0.3F, 0.3F}));
     scene.spotLights.push_back(makeSpot({0, 5, 0}, {0, 0, 0}, 0.9));
