@@ -9,7 +9,7 @@
 
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
 layout(std140, binding = kBeamSettingsSlot) uniform SettingsBlock { BeamSettings settings; };
-layout(std430, binding = kExposureSlot) readonly buffer Exposure { float ev100; };
+layout(std430, binding = kExposureSlot) readonly buffer Exposure { float ev100; int toneCurve; };
 layout(binding = kDepthUnit) uniform sampler2D depthMap;
 layout(binding = kColorUnit) uniform sampler2D colorMap;
 
@@ -38,7 +38,7 @@ vec3 strayOfChord(vec3 first, vec3 second) {
 
 /// What a screen shows, 0..1.
 vec3 shown(vec3 luminance) {
-    return srgbEncode(tonemap(max(luminance, vec3(0.0)) * exposureFromEv100(ev100)));
+    return srgbEncode(tonemap(toneCurve, max(luminance, vec3(0.0)) * exposureFromEv100(ev100)));
 }
 
 /// Whether the screen would show light bent more than tolerated.

@@ -7,7 +7,7 @@
 
 layout(local_size_x = 256) in;
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
-layout(std430, binding = kExposureSlot) buffer Exposure { float ev100; };
+layout(std430, binding = kExposureSlot) buffer Exposure { float ev100; int toneCurve; };
 layout(binding = kColorUnit) uniform sampler2D colorMap;
 #ifdef BEAM_LATTICE
 layout(binding = kBeamLatticeUnit) uniform sampler2D latticeMap;  // beams not yet in the colour map

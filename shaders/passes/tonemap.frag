@@ -2,7 +2,7 @@
 #include "shared/slots.h"
 #include "lib/tonemap.glsl"
 
-layout(std430, binding = kExposureSlot) readonly buffer Exposure { float ev100; };
+layout(std430, binding = kExposureSlot) readonly buffer Exposure { float ev100; int toneCurve; };
 layout(binding = kColorUnit) uniform sampler2D colorMap;
 layout(location = 0) out vec4 display;
 
@@ -12,6 +12,6 @@ float noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.0671
 
 void main() {
     vec3 luminance = texelFetch(colorMap, ivec2(gl_FragCoord.xy), 0).rgb;
-    vec3 encoded = srgbEncode(tonemap(luminance * exposureFromEv100(ev100)));
+    vec3 encoded = srgbEncode(tonemap(toneCurve, luminance * exposureFromEv100(ev100)));
     display = vec4(encoded + (noise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
 }

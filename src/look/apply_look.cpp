@@ -10,56 +10,56 @@
 namespace ribalta {
 namespace {
 
-const LampChange* changeOf(const std::vector<LampChange>& changes, const LampId& lamp) {
-    const auto found = std::find_if(changes.begin(), changes.end(),
-                                    [&](const LampChange& change) { return lamp.is(change); });
-    return found == changes.end() ? nullptr : &*found;
+double& intensityIn(SpotLight& spot) {
+    return spot.intensityCandela;
 }
 
-void changeSpot(const LampChange& change, LookLightMaps& lightMaps, Scene& scene, SpotLight& spot) {
-    spot.intensityCandela = change.intensity.value_or(spot.intensityCandela);
-    spot.color = change.color.value_or(spot.color);
-    spot.frame = change.frame.value_or(spot.frame);
-    spot.outerConeAngle = change.outerConeAngle.value_or(spot.outerConeAngle);
-    spot.innerConeAngle =
-        std::min(change.innerConeAngle.value_or(spot.innerConeAngle), spot.outerConeAngle);
-    if (change.lightMap.file && change.lightMap.file->empty()) {
-        spot.lightMap.reset();
-    } else if (change.lightMap.file) {
-        const int image = lightMaps.use(*change.lightMap.file, scene);
-        spot.lightMap = LightMap{image, spot.lightMap ? spot.lightMap->rotationRadians : 0.0};
-    }
-    if (spot.lightMap && change.lightMap.rotationRadians) {
-        spot.lightMap->rotationRadians = *change.lightMap.rotationRadians;
-    }
+double& intensityIn(PointLight& point) {
+    return point.intensityCandela;
 }
 
-void change(const LampId& lamp, const LampChange& change, LookLightMaps& lightMaps, Scene& scene) {
-    const auto index = std::size_t(lamp.index);
-    if (lamp.kind == LampId::Kind::kSpot) {
-        changeSpot(change, lightMaps, scene, scene.spotLights[index]);
-    } else if (lamp.kind == LampId::Kind::kPoint) {
-        PointLight& point = scene.pointLights[index];
-        point.intensityCandela = change.intensity.value_or(point.intensityCandela);
-        point.color = change.color.value_or(point.color);
+double& intensityIn(DirectionalLight& light) {
+    return light.illuminanceLux;
+}
+
+// A lamp changed but for its intensity and colour.
+struct ChangeRest {
+    const LampChange& change;
+    LookLightMaps& lightMaps;
+    Scene& scene;
+
+    void operator()(PointLight& point) const {
         point.position = change.frame ? change.frame->position : point.position;
-    } else {
-        DirectionalLight& light = scene.directionalLights[index];
-        light.illuminanceLux = change.intensity.value_or(light.illuminanceLux);
-        light.color = change.color.value_or(light.color);
+    }
+    void operator()(DirectionalLight& light) const {
         light.direction = change.frame ? change.frame->forward() : light.direction;
     }
-}
-
-void putOut(const LampId& lamp, Scene& scene) {
-    const auto index = std::size_t(lamp.index);
-    if (lamp.kind == LampId::Kind::kSpot) {
-        scene.spotLights[index].intensityCandela = 0.0;
-    } else if (lamp.kind == LampId::Kind::kPoint) {
-        scene.pointLights[index].intensityCandela = 0.0;
-    } else {
-        scene.directionalLights[index].illuminanceLux = 0.0;
+    void operator()(SpotLight& spot) const {
+        spot.frame = change.frame.value_or(spot.frame);
+        spot.outerConeAngle = change.outerConeAngle.value_or(spot.outerConeAngle);
+        spot.innerConeAngle =
+            std::min(change.innerConeAngle.value_or(spot.innerConeAngle), spot.outerConeAngle);
+        changeLightMap(spot);
     }
+    void changeLightMap(SpotLight& spot) const {
+        if (change.lightMap.file && change.lightMap.file->empty()) {
+            spot.lightMap.reset();
+        } else if (change.lightMap.file) {
+            const int image = lightMaps.use(*change.lightMap.file, scene);
+            spot.lightMap = LightMap{image, spot.lightMap ? spot.lightMap->rotationRadians : 0.0};
+        }
+        if (spot.lightMap && change.lightMap.rotationRadians) {
+            spot.lightMap->rotationRadians = *change.lightMap.rotationRadians;
+        }
+    }
+};
+
+void change(const LampId& lamp, const LampChange& change, LookLightMaps& lightMaps, Scene& scene) {
+    visitLamp(scene, lamp, [&](auto& each) {
+        intensityIn(each) = change.intensity.value_or(intensityIn(each));
+        each.color = change.color.value_or(each.color);
+    });
+    visitLamp(scene, lamp, ChangeRest{change, lightMaps, scene});
 }
 
 }  // namespace
@@ -85,17 +85,25 @@ std::vector<LampId> lampsOf(const Scene& scene) {
     return lamps;
 }
 
-double intensityOf(const Scene& scene, const LampId& lamp) {
-    const auto index = std::size_t(lamp.index);
-    switch (lamp.kind) {
-        case LampId::Kind::kSpot:
-            return scene.spotLights[index].intensityCandela;
-        case LampId::Kind::kPoint:
-            return scene.pointLights[index].intensityCandela;
-        case LampId::Kind::kDirectional:
-            return scene.directionalLights[index].illuminanceLux;
+const LampChange* findChange(const std::vector<LampChange>& changes, const LampId& lamp) {
+    const auto found = std::find_if(changes.begin(), changes.end(),
+                                    [&](const LampChange& change) { return lamp.is(change); });
+    return found == changes.end() ? nullptr : &*found;
+}
+
+LampChange& findOrAddChange(std::vector<LampChange>& changes, const LampId& lamp) {
+    const LampChange* found = findChange(changes, lamp);
+    if (found != nullptr) {
+        return changes[std::size_t(found - changes.data())];
     }
-    return 0.0;
+    LampChange change;
+    change.name = lamp.name;
+    change.number = lamp.number;
+    return changes.emplace_back(std::move(change));
+}
+
+double intensityOf(const Scene& scene, const LampId& lamp) {
+    return visitLamp(scene, lamp, [](auto each) { return intensityIn(each); });
 }
 
 int LookLightMaps::use(const std::filesystem::path& file, Scene& scene) {
@@ -140,18 +148,18 @@ std::vector<std::filesystem::path> LookLightMaps::files() const {
 void applyLamps(const std::vector<LampChange>& changes, LookLightMaps& lightMaps, Scene& scene) {
     const std::vector<LampId> lamps = lampsOf(scene);
     const bool anySolo = std::any_of(lamps.begin(), lamps.end(), [&](const LampId& lamp) {
-        const LampChange* found = changeOf(changes, lamp);
+        const LampChange* found = findChange(changes, lamp);
         return found != nullptr && found->solo;
     });
     for (const LampId& lamp : lamps) {
-        const LampChange* found = changeOf(changes, lamp);
+        const LampChange* found = findChange(changes, lamp);
         if (found != nullptr) {
             change(lamp, *found, lightMaps, scene);
         }
         const bool isOff = found != nullptr && found->off;
         const bool isSolo = found != nullptr && found->solo;
         if (isOff || (anySolo && !isSolo)) {
-            putOut(lamp, scene);
+            visitLamp(scene, lamp, [](auto& each) { intensityIn(each) = 0.0; });
         }
     }
 }

@@ -24,6 +24,26 @@ struct LampId {
     }
 };
 
+/// Calls `visit` with the lamp itself: a SpotLight, PointLight or DirectionalLight of the scene,
+/// constant where the scene is.
+template <typename SceneOrConst, typename Visit>
+decltype(auto) visitLamp(SceneOrConst& scene, const LampId& lamp, Visit&& visit) {
+    const auto index = std::size_t(lamp.index);
+    switch (lamp.kind) {
+        case LampId::Kind::kSpot:
+            return visit(scene.spotLights[index]);
+        case LampId::Kind::kPoint:
+            return visit(scene.pointLights[index]);
+        case LampId::Kind::kDirectional:
+            break;
+    }
+    return visit(scene.directionalLights[index]);
+}
+
+/// What is changed of a lamp, null where nothing is; and the same, made where there is none.
+const LampChange* findChange(const std::vector<LampChange>& changes, const LampId& lamp);
+LampChange& findOrAddChange(std::vector<LampChange>& changes, const LampId& lamp);
+
 /// All lamps: spots, then point lights, then directional ones.
 std::vector<LampId> lampsOf(const Scene& scene);
 

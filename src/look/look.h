@@ -45,7 +45,7 @@ struct LampChange {
 
 /// The sky over a look; what else can be set of its models stays at their defaults.
 struct SkyLook {
-    std::string model = "auto";   ///< auto, bruneton, single, chapman
+    SkyKind model = SkyKind::kAuto;
     std::optional<SunInSky> sun;  ///< none: where the scene's first directional lamp shines from
     double altitudeMetres = 0.0;
 
@@ -72,6 +72,7 @@ struct Look {
     std::optional<SkyLook> sky;
     double ambientLux = 1.0;
     std::optional<double> ev100;  ///< none: found from the picture
+    ToneCurve toneCurve = ToneCurve::kNeutral;
 
     bool operator==(const Look&) const = default;
 };

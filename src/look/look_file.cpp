@@ -1,9 +1,8 @@
 #include "look/look_file.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <string_view>
+#include <span>
 
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,6 @@ namespace ribalta {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Phase = PhaseFunction::Kind;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kFarMetres = 1e12;
@@ -26,23 +24,23 @@ constexpr int kLongestSide = 16384;
 constexpr int kMostSheets = 65536;
 constexpr std::uint64_t kMostBytes = std::uint64_t(64) << 20;
 
-struct PhaseName {
-    Phase kind;
-    std::string_view name;
-};
-constexpr std::array<PhaseName, 5> kPhases = {{{Phase::kGibbons, "gibbons"},
-                                               {Phase::kIsotropic, "isotropic"},
-                                               {Phase::kRayleigh, "rayleigh"},
-                                               {Phase::kHenyeyGreenstein, "hg"},
-                                               {Phase::kCornetteShanks, "cornette-shanks"}}};
-constexpr std::array<std::string_view, 4> kSkies = {"auto", "bruneton", "single", "chapman"};
-
 [[noreturn]] void refuse(const Place& place, const std::string& message) {
     throw Error(ErrorKind::kBadInput, place, message);
 }
 
-bool hasG(Phase kind) {
-    return kind == Phase::kHenyeyGreenstein || kind == Phase::kCornetteShanks;
+// A text of a table's words; `otherwise` where the key is not there.
+template <typename Value>
+Value readNamed(JsonObject& object, const std::string& key, std::span<const Named<Value>> table,
+                Value otherwise) {
+    const std::optional<std::string> word = object.text(key);
+    if (!word) {
+        return otherwise;
+    }
+    const std::optional<Value> found = valueIn(table, *word);
+    if (!found) {
+        refuse(object.place(key), "is \"" + *word + "\", expected one of: " + listOf(table));
+    }
+    return *found;
 }
 
 glm::dvec3 vectorOf(const std::vector<double>& numbers) {
@@ -244,20 +242,9 @@ Haze readHazeOf(JsonObject& object) {
         object.number("scattering", 0.0, 1e6).value_or(haze.scatteringPerMetre);
     haze.absorptionPerMetre =
         object.number("absorption", 0.0, 1e6).value_or(haze.absorptionPerMetre);
-    if (const std::optional<std::string> name = object.text("phase")) {
-        const PhaseName* found = nullptr;
-        std::string known;
-        for (const PhaseName& phase : kPhases) {
-            found = phase.name == *name ? &phase : found;
-            known += (known.empty() ? "" : ", ") + std::string(phase.name);
-        }
-        if (found == nullptr) {
-            refuse(object.place("phase"), "is \"" + *name + "\", expected one of: " + known);
-        }
-        haze.phase.kind = found->kind;
-    }
+    haze.phase.kind = readNamed(object, "phase", phaseFunctions(), haze.phase.kind);
     haze.phase.g = object.number("g", -0.999999, 0.999999).value_or(0.0);
-    if (haze.phase.g != 0.0 && !hasG(haze.phase.kind)) {
+    if (haze.phase.g != 0.0 && !haze.phase.hasG()) {
         refuse(object.place("g"), "belongs to the phase functions hg and cornette-shanks");
     }
     haze.phase.k = object.number("K", 1e-9, 1e9).value_or(haze.phase.k);
@@ -269,12 +256,8 @@ Json writeHazeOf(const Haze& haze) {
     Json json;
     json["scattering"] = haze.scatteringPerMetre;
     json["absorption"] = haze.absorptionPerMetre;
-    for (const PhaseName& phase : kPhases) {
-        if (phase.kind == haze.phase.kind) {
-            json["phase"] = phase.name;
-        }
-    }
-    if (hasG(haze.phase.kind)) {
+    json["phase"] = name(haze.phase.kind);
+    if (haze.phase.hasG()) {
         json["g"] = haze.phase.g;
     }
     if (haze.phase.k != PhaseFunction{}.k) {
@@ -285,17 +268,7 @@ Json writeHazeOf(const Haze& haze) {
 
 BeamSettings readBeamsOf(JsonObject& object) {
     BeamSettings beams;
-    if (const std::optional<std::string> method = object.text("method")) {
-        const std::optional<BeamMethod> found = beamMethodNamed(*method);
-        if (!found) {
-            std::string known;
-            for (const BeamMethod each : allBeamMethods()) {
-                known += (known.empty() ? "" : ", ") + std::string(name(each));
-            }
-            refuse(object.place("method"), "is \"" + *method + "\", expected one of: " + known);
-        }
-        beams.method = *found;
-    }
+    beams.method = readNamed(object, "method", beamMethods(), beams.method);
     beams.planes = object.integer("planes", 1, kMostSheets).value_or(beams.planes);
     beams.tolerance = object.number("tolerance", 0.0, 1.0);
     object.refuseOthers();
@@ -314,16 +287,7 @@ Json writeBeamsOf(const BeamSettings& beams) {
 
 SkyLook readSkyOf(JsonObject& object) {
     SkyLook sky;
-    sky.model = object.text("model").value_or(sky.model);
-    bool isKnown = false;
-    std::string known;
-    for (const std::string_view name : kSkies) {
-        isKnown = isKnown || name == sky.model;
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    if (!isKnown) {
-        refuse(object.place("model"), "is \"" + sky.model + "\", expected one of: " + known);
-    }
+    sky.model = readNamed(object, "model", skyKinds(), sky.model);
     const auto elevation = object.number("sun_elevation_degrees", -90.0, 90.0);
     const auto azimuth = object.number("sun_azimuth_degrees", -360.0, 360.0);
     if (elevation.has_value() != azimuth.has_value()) {
@@ -340,7 +304,7 @@ SkyLook readSkyOf(JsonObject& object) {
 
 Json writeSkyOf(const SkyLook& sky) {
     Json json;
-    json["model"] = sky.model;
+    json["model"] = name(sky.model);
     if (sky.sun) {
         json["sun_elevation_degrees"] = sky.sun->elevation * kDegrees;
         json["sun_azimuth_degrees"] = sky.sun->azimuth * kDegrees;
@@ -435,6 +399,7 @@ Look readLook(const std::filesystem::path& path) {
     }
     look.ambientLux = object.number("ambient_lux", 0.0, 1e9).value_or(look.ambientLux);
     look.ev100 = readExposureOf(object);
+    look.toneCurve = readNamed(object, "tone_curve", toneCurves(), look.toneCurve);
     object.refuseOthers();
     return look;
 }
@@ -472,6 +437,7 @@ void writeLook(const Look& look, const std::filesystem::path& path) {
     } else {
         json["exposure"] = "auto";
     }
+    json["tone_curve"] = name(look.toneCurve);
     writeFileAtomically(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -5,15 +5,16 @@
 namespace ribalta {
 namespace {
 
-DrawnSky modelNamed(const std::string& name) {
-    if (name == "bruneton") {
-        return PrecomputedSkySettings{};
-    }
-    if (name == "single") {
-        return simplifiedSky();
-    }
-    if (name == "chapman") {
-        return ChapmanSky{};
+DrawnSky drawnSky(SkyKind kind) {
+    switch (kind) {
+        case SkyKind::kBruneton:
+            return PrecomputedSkySettings{};
+        case SkyKind::kSingle:
+            return simplifiedSky();
+        case SkyKind::kChapman:
+            return ChapmanSky{};
+        case SkyKind::kAuto:
+            break;
     }
     return OwnSky{};
 }
@@ -26,7 +27,7 @@ SunInSky sunOfNoLamp() {
 
 SkyDrawing skyDrawing(const SkyLook& sky, const Scene& scene) {
     SkyDrawing drawing;
-    drawing.model = modelNamed(sky.model);
+    drawing.model = drawnSky(sky.model);
     // Schuler's model has no haze.
     if (std::holds_alternative<ChapmanSky>(drawing.model)) {
         drawing.air = withoutMie(drawing.air);
@@ -47,6 +48,7 @@ FrameSettings frameSettings(const Look& look, const Scene& scene) {
     settings.beams = look.beams;
     settings.ambientLux = look.ambientLux;
     settings.ev100 = look.ev100;
+    settings.toneCurve = look.toneCurve;
     if (look.sky) {
         settings.sky = skyDrawing(*look.sky, scene);
     }

@@ -31,14 +31,14 @@ class Trial {
         half_.beams = with(BeamMethod::kClipped, kManySheets);
         answer_ = drawLight(renderer_, camera_, half_).total;
         ev100_ = settings.ev100.value_or(autoExposure(answer_));
-        answer_ = displayPicture(answer_, ev100_);
+        answer_ = displayPicture(answer_, ev100_, settings.toneCurve);
         half_.ev100 = ev100_;
     }
 
     double errorPercent(const BeamSettings& beams) {
         half_.beams = beams;
         const RgbPicture picture = drawLight(renderer_, camera_, half_).total;
-        return displayRmsePercent(displayPicture(picture, ev100_), answer_);
+        return displayRmsePercent(displayPicture(picture, ev100_, settings_.toneCurve), answer_);
     }
 
     double beamsMs(const BeamSettings& beams) {

@@ -9,7 +9,7 @@
 
 namespace ribalta {
 
-RgbPicture displayPicture(const RgbPicture& linear, double ev100) {
+RgbPicture displayPicture(const RgbPicture& linear, double ev100, ToneCurve curve) {
     RgbPicture display{linear.width, linear.height, {}};
     display.pixels.resize(linear.pixels.size());
     const double exposure = shader::exposureFromEv100(ev100);
@@ -17,7 +17,7 @@ RgbPicture displayPicture(const RgbPicture& linear, double ev100) {
     parallelFor(std::size_t(linear.height), [&](std::size_t y) {
         for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
             const glm::dvec3 exposed = glm::dvec3(linear.pixels[i]) * exposure;
-            display.pixels[i] = glm::vec3(shader::srgbEncode(shader::tonemap(exposed)));
+            display.pixels[i] = glm::vec3(shader::srgbEncode(shader::tonemap(int(curve), exposed)));
         }
     });
     return display;

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "measure/rgb_picture.h"
+#include "render/tone_curve.h"
 
 namespace ribalta {
 
 /// sRGB-encoded display values in 0..1 of a linear picture in cd/m2 at an exposure in EV100.
-RgbPicture displayPicture(const RgbPicture& linear, double ev100);
+RgbPicture displayPicture(const RgbPicture& linear, double ev100,
+                          ToneCurve curve = ToneCurve::kNeutral);
 
 /// The EV100 that the renderer finds for a linear picture in cd/m2 (see lib/auto_exposure.glsl).
 double autoExposure(const RgbPicture& linear);

@@ -68,7 +68,7 @@ FrameSettings settingsFromJson(const Json& json) {
     FrameSettings settings;
     settings.width = json.at("width");
     settings.height = json.at("height");
-    settings.beams.method = beamMethodNamed(json.at("beams").get<std::string>()).value();
+    settings.beams.method = valueIn(beamMethods(), json.at("beams").get<std::string>()).value();
     settings.beams.planes = json.at("planes");
     settings.beams.cellsAcross = json.at("cells").at(0);
     settings.beams.cellsDown = json.at("cells").at(1);

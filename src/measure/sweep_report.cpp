@@ -117,12 +117,12 @@ std::string summaryHtml(const std::vector<SweepRecord>& records, double targetPe
     }
     return "<section>\n<h2>Time to " + shortNumber(targetPercent) +
            " % tone-mapped RMSE</h2>\n<div class=\"scroll\"><table>\n" +
-           headings({{"view", "text"},
-                     {"beams", "text"},
-                     {"GPU ms of the beams", ""},
-                     {"least error, %", ""},
-                     {("times faster than " + std::string(name(allBeamMethods().front()))).c_str(),
-                      ""}}) +
+           headings(
+               {{"view", "text"},
+                {"beams", "text"},
+                {"GPU ms of the beams", ""},
+                {"least error, %", ""},
+                {("times faster than " + std::string(beamMethods().front().name)).c_str(), ""}}) +
            "<tbody>\n" + rows +
            "</tbody></table></div>\n<p class=\"note\">Between two measured points the time is "
            "interpolated, both axes logarithmic.</p>\n</section>";
@@ -295,7 +295,7 @@ std::vector<TimeToError> timesToError(const std::vector<SweepRecord>& records,
             const std::vector<Cost> costs = costsOf(ofMethod);
             TimeToError each{view,
                              first.method(),
-                             first.settings.beams.method == allBeamMethods().front(),
+                             first.settings.beams.method == beamMethods().front().value,
                              timeToError(costs, targetPercent),
                              costs.front().error,
                              0.0};

@@ -1,9 +1,9 @@
 // BeamMethod: the ways of summing the light in the haze, by name.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string_view>
+
+#include "base/names.h"
 
 namespace ribalta {
 
@@ -14,13 +14,11 @@ enum class BeamMethod {
     kAdaptive,  ///< `clipped` at every fourth pixel each way, and where the light bends in between
 };
 
-/// As on the command line, in reports and in plans.
-std::string_view name(BeamMethod method);
+/// As on the command line, in looks, reports and plans; the baseline first.
+std::span<const Named<BeamMethod>> beamMethods();
 
-/// None: no method has this name.
-std::optional<BeamMethod> beamMethodNamed(std::string_view name);
-
-/// All there are, the baseline first.
-std::span<const BeamMethod> allBeamMethods();
+inline std::string_view name(BeamMethod method) {
+    return nameIn(beamMethods(), method);
+}
 
 }  // namespace ribalta

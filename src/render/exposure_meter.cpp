@@ -6,8 +6,19 @@
 
 namespace ribalta {
 
-void ExposureMeter::draw(const std::optional<double>& ev100, const Texture2D& color) {
-    const std::vector<float> given = {float(ev100.value_or(0.0))};
+namespace {
+
+// As the shaders' block Exposure.
+struct ExposureBlock {
+    float ev100 = 0.0F;
+    int toneCurve = 0;
+};
+
+}  // namespace
+
+void ExposureMeter::draw(const std::optional<double>& ev100, ToneCurve curve,
+                         const Texture2D& color) {
+    const std::vector<ExposureBlock> given = {{float(ev100.value_or(0.0)), int(curve)}};
     exposure_.write("exposure", bytesOf(given));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kExposureSlot, exposure_.name());
     if (ev100) {
@@ -24,9 +35,9 @@ void ExposureMeter::draw(const std::optional<double>& ev100, const Texture2D& co
 }
 
 double ExposureMeter::ev100() const {
-    std::vector<float> value(1);
-    exposure_.read(std::as_writable_bytes(std::span(value)));
-    return double(value[0]);
+    std::vector<ExposureBlock> block(1);
+    exposure_.read(std::as_writable_bytes(std::span(block)));
+    return double(block[0].ev100);
 }
 
 }  // namespace ribalta

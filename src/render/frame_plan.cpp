@@ -184,6 +184,7 @@ void planLattice(const Scene& scene, const FramePlan& plan, BeamsWork& work) {
     const int height = plan.settings.height;
     work.latticePoints = (glm::ivec2(width, height) + gpu::kLatticeStep - 1) / gpu::kLatticeStep;
     work.ev100 = plan.settings.ev100;
+    work.toneCurve = plan.settings.toneCurve;
     std::vector<std::vector<glm::dvec2>> outlines;
     for (const int lamp : work.lamps) {
         const int spot = plan.lamps[std::size_t(lamp)].spot;
@@ -291,7 +292,7 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
         planBeams(scene, outlines, cache, plan);
     }
     if (settings.display) {
-        plan.tonemap = TonemapWork{settings.ev100, {}};
+        plan.tonemap = TonemapWork{settings.ev100, settings.toneCurve, {}};
         if (settings.illuminance) {
             plan.tonemap->highestLux = settings.illuminance->highestLux;
         }

@@ -69,17 +69,19 @@ struct BeamsWork {
     BeamTiles tiles;              ///< all but planes; their lists index FramePlan::lamps
     glm::ivec2 latticePoints{0};  ///< adaptive only
     std::optional<double> ev100;  ///< adaptive only; none: found from the picture
-    double firstDepth = 0.0;      ///< planes only: metres along the view axis
-    double spacingMetres = 0.0;   ///< planes only
-    double fullScale = 0.0;       ///< planes in eight bits only: cd/m2 of the highest code value
-    bool shadowPyramid = false;   ///< runs of sheets are judged by it
-    bool lightMaps = false;       ///< some lamp has one
+    ToneCurve toneCurve = ToneCurve::kNeutral;  ///< adaptive only
+    double firstDepth = 0.0;                    ///< planes only: metres along the view axis
+    double spacingMetres = 0.0;                 ///< planes only
+    double fullScale = 0.0;      ///< planes in eight bits only: cd/m2 of the highest code value
+    bool shadowPyramid = false;  ///< runs of sheets are judged by it
+    bool lightMaps = false;      ///< some lamp has one
     bool separateOutput = false;
     bool countRuns = false;
 };
 
 struct TonemapWork {
-    std::optional<double> ev100;       ///< none: found from the picture
+    std::optional<double> ev100;  ///< none: found from the picture
+    ToneCurve curve = ToneCurve::kNeutral;
     std::optional<double> highestLux;  ///< of false colours instead
 };
 

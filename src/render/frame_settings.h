@@ -6,6 +6,7 @@
 
 #include "render/beam_method.h"
 #include "render/sky_settings.h"
+#include "render/tone_curve.h"
 #include "scene/haze.h"
 
 namespace ribalta {
@@ -60,6 +61,7 @@ struct FrameSettings {
     std::optional<SkyDrawing> sky;  ///< none: black behind everything
     double ambientLux = 1.0;        ///< even light from all around
     std::optional<double> ev100;    ///< exposure; none: found from the picture
+    ToneCurve toneCurve = ToneCurve::kNeutral;
     /// Colours are lux by channel then, without haze, beams and sky before or behind them.
     std::optional<IlluminanceView> illuminance;
     bool display = true;        ///< make the exposed, tone-mapped 8-bit picture

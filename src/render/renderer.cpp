@@ -98,7 +98,7 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     } else if (plan_.tonemap) {
         timer_.begin("tonemap");
         const DebugGroup group("tonemap");
-        madeOnFirstUse(exposure_).draw(plan_.tonemap->ev100, targets_->color);
+        madeOnFirstUse(exposure_).draw(plan_.tonemap->ev100, plan_.tonemap->curve, targets_->color);
         madeOnFirstUse(tonemap_).draw(*targets_);
     }
     timer_.end();

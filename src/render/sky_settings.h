@@ -1,15 +1,26 @@
-// SkyDrawing: which sky a frame has.
+// SkyDrawing: which sky a frame has; the kinds of it by name.
 #pragma once
 
+#include <span>
 #include <variant>
 
 #include <glm/glm.hpp>
 
+#include "base/names.h"
 #include "render/baseline_sky_settings.h"
 #include "scene/atmosphere.h"
 #include "sky/sky_tables.h"
 
 namespace ribalta {
+
+enum class SkyKind { kAuto, kBruneton, kSingle, kChapman };
+
+/// As on the command line and in looks; the renderer's own model first.
+std::span<const Named<SkyKind>> skyKinds();
+
+inline std::string_view name(SkyKind kind) {
+    return nameIn(skyKinds(), kind);
+}
 
 /// The renderer's own model, `auto`.
 struct OwnSky {

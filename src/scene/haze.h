@@ -1,6 +1,10 @@
 // Haze: the air between the lamps and the camera, the same everywhere.
 #pragma once
 
+#include <span>
+
+#include "base/names.h"
+
 namespace ribalta {
 
 /// How haze turns light. cosAngle = 1 is straight on.
@@ -14,8 +18,16 @@ struct PhaseFunction {
     /// the sphere. The thesis uses it as a free constant.
     double k = 0.0397887357729738;
 
+    bool hasG() const { return kind == Kind::kHenyeyGreenstein || kind == Kind::kCornetteShanks; }
     bool operator==(const PhaseFunction&) const = default;
 };
+
+/// As on the command line and in looks; the default first.
+std::span<const Named<PhaseFunction::Kind>> phaseFunctions();
+
+inline std::string_view name(PhaseFunction::Kind kind) {
+    return nameIn(phaseFunctions(), kind);
+}
 
 struct Haze {
     double scatteringPerMetre = 0.02;

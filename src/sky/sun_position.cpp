@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/bearing.h"
+
 namespace ribalta {
 namespace {
 
@@ -71,8 +73,7 @@ SunInSky sunInSky(double julianDay, double latitude, double longitude) {
 }
 
 glm::dvec3 towards(const SunInSky& sun) {
-    return {std::cos(sun.elevation) * std::sin(sun.azimuth), std::sin(sun.elevation),
-            -std::cos(sun.elevation) * std::cos(sun.azimuth)};
+    return directionOf({sun.azimuth, sun.elevation});
 }
 
 // Meeus, chapter 7.

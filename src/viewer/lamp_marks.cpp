@@ -20,16 +20,12 @@ std::optional<Projected> project(const Camera& camera, glm::ivec2 size, const gl
 }
 
 std::optional<glm::dvec3> placeOf(const Scene& scene, const LampId& lamp) {
-    const auto index = std::size_t(lamp.index);
-    switch (lamp.kind) {
-        case LampId::Kind::kSpot:
-            return scene.spotLights[index].frame.position;
-        case LampId::Kind::kPoint:
-            return scene.pointLights[index].position;
-        case LampId::Kind::kDirectional:
-            break;
-    }
-    return std::nullopt;
+    struct Standing {
+        std::optional<glm::dvec3> operator()(const SpotLight& spot) { return spot.frame.position; }
+        std::optional<glm::dvec3> operator()(const PointLight& point) { return point.position; }
+        std::optional<glm::dvec3> operator()(const DirectionalLight&) { return std::nullopt; }
+    };
+    return visitLamp(scene, lamp, Standing{});
 }
 
 std::optional<glm::dvec3> aimOf(const Scene& scene, const LampId& lamp, const Bounds& bounds) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/bearing.h"
+
 namespace ribalta {
 namespace {
 
@@ -12,23 +14,13 @@ constexpr double kSteepest = 0.5 * std::numbers::pi - 1e-3;
 constexpr double kNearestMetres = 1e-6;
 constexpr double kFarthestMetres = 1e9;
 
-// Of a direction: about the world's up from -Z to the right, and above the horizon.
-struct Bearing {
-    double yaw = 0.0;
-    double pitch = 0.0;
-
-    explicit Bearing(const glm::dvec3& direction)
-        : yaw(std::atan2(direction.x, -direction.z)),
-          pitch(std::atan2(direction.y, std::hypot(direction.x, direction.z))) {}
-
-    void turn(glm::dvec2 radians) {
-        yaw += radians.x;
-        pitch = std::clamp(pitch + radians.y, -kSteepest, kSteepest);
-    }
-    glm::dvec3 direction() const {
-        return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
-    }
-};
+// A direction turned to the right and upwards.
+glm::dvec3 turned(const glm::dvec3& direction, glm::dvec2 radians) {
+    Bearing bearing = bearingOf(direction);
+    bearing.azimuth += radians.x;
+    bearing.elevation = std::clamp(bearing.elevation + radians.y, -kSteepest, kSteepest);
+    return directionOf(bearing);
+}
 
 // A camera that is moved by hand follows its node no more.
 void detach(Viewpoint& view) {
@@ -61,18 +53,16 @@ void follow(Viewpoint& view, const Frame& frame) {
 
 void orbit(Viewpoint& view, glm::dvec2 radians) {
     const double distance = view.distance();
-    Bearing bearing(view.camera.frame.forward());
     // To go to the right is to look to the left.
-    bearing.turn({-radians.x, -radians.y});
-    view.camera.frame.position = view.pivot - distance * bearing.direction();
+    view.camera.frame.position =
+        view.pivot - distance * turned(view.camera.frame.forward(), -radians);
     aim(view);
 }
 
 void lookAround(Viewpoint& view, glm::dvec2 radians) {
     const double distance = view.distance();
-    Bearing bearing(view.camera.frame.forward());
-    bearing.turn(radians);
-    view.pivot = view.camera.frame.position + distance * bearing.direction();
+    view.pivot =
+        view.camera.frame.position + distance * turned(view.camera.frame.forward(), radians);
     aim(view);
 }
 

@@ -9,6 +9,7 @@
 #include <imgui/imgui_stdlib.h>
 
 #include "optics/color_temperature.h"
+#include "scene/bearing.h"
 #include "viewer/lamp_marks.h"
 #include "viewer/panels.h"
 
@@ -29,19 +30,13 @@ std::string groupOf(const std::string& name) {
     return end == 0 ? name : name.substr(0, end);
 }
 
-const LampChange* changeIfAny(const Look& look, const LampId& lamp) {
-    const auto found = std::find_if(look.lamps.begin(), look.lamps.end(),
-                                    [&](const LampChange& change) { return lamp.is(change); });
-    return found == look.lamps.end() ? nullptr : &*found;
-}
-
 bool isOff(const Look& look, const LampId& lamp) {
-    const LampChange* change = changeIfAny(look, lamp);
+    const LampChange* change = findChange(look.lamps, lamp);
     return change != nullptr && change->off;
 }
 
 bool isSolo(const Look& look, const LampId& lamp) {
-    const LampChange* change = changeIfAny(look, lamp);
+    const LampChange* change = findChange(look.lamps, lamp);
     return change != nullptr && change->solo;
 }
 
@@ -55,12 +50,12 @@ void drawRow(ViewerState& state, const StageView& stage, std::size_t index) {
     ImGui::PushID(int(index));
     bool on = !isOff(state.look, lamp);
     if (ImGui::Checkbox("##on", &on)) {
-        state.changeOf(lamp.name, lamp.number).off = !on;
+        state.changeOf(lamp).off = !on;
     }
     ImGui::SameLine();
     bool solo = isSolo(state.look, lamp);
     if (ImGui::RadioButton("##solo", solo)) {
-        state.changeOf(lamp.name, lamp.number).solo = !solo;
+        state.changeOf(lamp).solo = !solo;
     }
     ImGui::SameLine();
     if (ImGui::Selectable(labelOf(lamp).c_str(), state.selected == int(index))) {
@@ -84,10 +79,10 @@ void drawGroupSwitches(ViewerState& state, const StageView& stage,
     for (const std::size_t index : members) {
         const LampId& lamp = stage.lamps()[index];
         if (switched) {
-            state.changeOf(lamp.name, lamp.number).off = !on;
+            state.changeOf(lamp).off = !on;
         }
         if (soloed) {
-            state.changeOf(lamp.name, lamp.number).solo = !solo;
+            state.changeOf(lamp).solo = !solo;
         }
     }
 }
@@ -98,7 +93,7 @@ double coneSolidAngle(double halfAngle) {
 
 void editIntensity(ViewerState& state, const StageView& stage, const LampId& lamp) {
     // What the look has, and not the scene: a lamp that is off has none there.
-    const LampChange* change = changeIfAny(state.look, lamp);
+    const LampChange* change = findChange(state.look.lamps, lamp);
     double intensity =
         change != nullptr && change->intensity ? *change->intensity : stage.intensityInFile(lamp);
     const bool isDirectional = lamp.kind == LampId::Kind::kDirectional;
@@ -122,32 +117,19 @@ void editIntensity(ViewerState& state, const StageView& stage, const LampId& lam
         }
     }
     if (changed) {
-        state.changeOf(lamp.name, lamp.number).intensity = intensity;
+        state.changeOf(lamp).intensity = intensity;
     }
-}
-
-const glm::vec3& colorOf(const Scene& scene, const LampId& lamp) {
-    const auto index = std::size_t(lamp.index);
-    switch (lamp.kind) {
-        case LampId::Kind::kSpot:
-            return scene.spotLights[index].color;
-        case LampId::Kind::kPoint:
-            return scene.pointLights[index].color;
-        case LampId::Kind::kDirectional:
-            break;
-    }
-    return scene.directionalLights[index].color;
 }
 
 void editColor(ViewerState& state, const StageView& stage, const LampId& lamp) {
-    glm::vec3 color = colorOf(stage.scene(), lamp);
+    glm::vec3 color = visitLamp(stage.scene(), lamp, [](const auto& each) { return each.color; });
     if (ImGui::ColorEdit3("colour, linear", &color.x, ImGuiColorEditFlags_Float)) {
-        state.changeOf(lamp.name, lamp.number).color = glm::max(color, glm::vec3(0.0F));
+        state.changeOf(lamp).color = glm::max(color, glm::vec3(0.0F));
     }
     static float kelvin = 5600.0F;
     if (ImGui::SliderFloat("K", &kelvin, float(kLowestKelvin), 12000.0F, "%.0f",
                            ImGuiSliderFlags_AlwaysClamp)) {
-        state.changeOf(lamp.name, lamp.number).color = glm::vec3(colorOfTemperature(kelvin));
+        state.changeOf(lamp).color = glm::vec3(colorOfTemperature(kelvin));
     }
 }
 
@@ -155,33 +137,29 @@ void editCone(ViewerState& state, const LampId& lamp, const SpotLight& spot) {
     auto outer = float(spot.outerConeAngle * kDegrees * 2.0);
     if (ImGui::SliderFloat("zoom", &outer, 1.0F, 160.0F, "%.1f degrees",
                            ImGuiSliderFlags_AlwaysClamp)) {
-        LampChange& change = state.changeOf(lamp.name, lamp.number);
+        LampChange& change = state.changeOf(lamp);
         // The edge stays as soft as it is.
         change.outerConeAngle = 0.5 * double(outer) / kDegrees;
         change.innerConeAngle = *change.outerConeAngle * sharpnessOf(spot);
     }
     auto soft = float(1.0 - sharpnessOf(spot));
     if (ImGui::SliderFloat("soft edge", &soft, 0.0F, 1.0F, "%.2f", ImGuiSliderFlags_AlwaysClamp)) {
-        state.changeOf(lamp.name, lamp.number).innerConeAngle =
-            spot.outerConeAngle * (1.0 - double(soft));
+        state.changeOf(lamp).innerConeAngle = spot.outerConeAngle * (1.0 - double(soft));
     }
 }
 
 // Pan about the world's up from -Z to the right, tilt above the horizon.
 void editAim(ViewerState& state, const LampId& lamp, const Frame& frame) {
-    const glm::dvec3 ahead = frame.forward();
-    auto pan = float(std::atan2(ahead.x, -ahead.z) * kDegrees);
-    auto tilt = float(std::asin(std::clamp(ahead.y, -1.0, 1.0)) * kDegrees);
+    const Bearing ahead = bearingOf(frame.forward());
+    auto pan = float(ahead.azimuth * kDegrees);
+    auto tilt = float(ahead.elevation * kDegrees);
     bool changed = ImGui::SliderFloat("pan", &pan, -180.0F, 180.0F, "%.1f degrees",
                                       ImGuiSliderFlags_AlwaysClamp);
     changed |= ImGui::SliderFloat("tilt", &tilt, -89.9F, 89.9F, "%.1f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) {
-        const double yaw = double(pan) / kDegrees;
-        const double pitch = double(tilt) / kDegrees;
-        const glm::dvec3 direction(std::sin(yaw) * std::cos(pitch), std::sin(pitch),
-                                   -std::cos(yaw) * std::cos(pitch));
-        state.changeOf(lamp.name, lamp.number).frame = turned(frame, direction);
+        const Bearing bearing{double(pan) / kDegrees, double(tilt) / kDegrees};
+        state.changeOf(lamp).frame = turned(frame, directionOf(bearing));
     }
 }
 
@@ -195,19 +173,18 @@ void editLightMap(ViewerState& state, const StageView& stage, const LampId& lamp
     if (ImGui::InputText("file##light map", &file, ImGuiInputTextFlags_EnterReturnsTrue) &&
         !file.empty()) {
         std::error_code failed;
-        state.changeOf(lamp.name, lamp.number).lightMap.file =
+        state.changeOf(lamp).lightMap.file =
             std::filesystem::absolute(file, failed).lexically_normal();
         file.clear();
     }
     if (spot.lightMap) {
         if (ImGui::Button("no light map")) {
-            state.changeOf(lamp.name, lamp.number).lightMap.file.emplace();
+            state.changeOf(lamp).lightMap.file.emplace();
         }
         auto degrees = float(spot.lightMap->rotationRadians * kDegrees);
         if (ImGui::SliderFloat("rotation", &degrees, -180.0F, 180.0F, "%.1f degrees",
                                ImGuiSliderFlags_AlwaysClamp)) {
-            state.changeOf(lamp.name, lamp.number).lightMap.rotationRadians =
-                double(degrees) / kDegrees;
+            state.changeOf(lamp).lightMap.rotationRadians = double(degrees) / kDegrees;
         }
     }
 }

@@ -140,6 +140,22 @@ void drawStatistics(const PictureFacts& facts, const StageView& stage) {
     ImGui::End();
 }
 
+// A list of a table's words; whether another was chosen.
+template <typename Value>
+bool chooseNamed(const char* label, std::span<const Named<Value>> table, Value& value) {
+    bool changed = false;
+    if (ImGui::BeginCombo(label, std::string(nameIn(table, value)).c_str())) {
+        for (const Named<Value>& each : table) {
+            if (ImGui::Selectable(std::string(each.name).c_str(), each.value == value)) {
+                changed = each.value != value;
+                value = each.value;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    return changed;
+}
+
 void drawHaze(Haze& haze) {
     const double low = 0.0;
     const double high = 2.0;
@@ -148,17 +164,10 @@ void drawHaze(Haze& haze) {
                         &high, "%.4f", kFlags);
     ImGui::SliderScalar("absorption 1/m", ImGuiDataType_Double, &haze.absorptionPerMetre, &low,
                         &high, "%.4f", kFlags);
-    using Kind = PhaseFunction::Kind;
-    constexpr std::array<Kind, 5> kKinds = {Kind::kGibbons, Kind::kIsotropic, Kind::kRayleigh,
-                                            Kind::kHenyeyGreenstein, Kind::kCornetteShanks};
-    const auto found = std::find(kKinds.begin(), kKinds.end(), haze.phase.kind);
-    auto chosen = int(found - kKinds.begin());
-    if (ImGui::Combo("phase", &chosen,
-                     "Gibbons\0isotropic\0Rayleigh\0Henyey-Greenstein\0Cornette-Shanks\0")) {
-        haze.phase.kind = kKinds[std::size_t(chosen)];
+    if (chooseNamed("phase", phaseFunctions(), haze.phase.kind)) {
         haze.phase.g = 0.0;
     }
-    if (haze.phase.kind == Kind::kHenyeyGreenstein || haze.phase.kind == Kind::kCornetteShanks) {
+    if (haze.phase.hasG()) {
         const double back = -0.95;
         const double ahead = 0.95;
         ImGui::SliderScalar("g", ImGuiDataType_Double, &haze.phase.g, &back, &ahead, "%.2f",
@@ -167,15 +176,8 @@ void drawHaze(Haze& haze) {
 }
 
 void drawQuality(BeamSettings& beams) {
-    const std::span<const BeamMethod> methods = allBeamMethods();
-    if (ImGui::BeginCombo("beams", std::string(name(beams.method)).c_str())) {
-        for (const BeamMethod method : methods) {
-            if (ImGui::Selectable(std::string(name(method)).c_str(), method == beams.method)) {
-                beams.method = method;
-                beams.tolerance.reset();
-            }
-        }
-        ImGui::EndCombo();
+    if (chooseNamed("beams", beamMethods(), beams.method)) {
+        beams.tolerance.reset();
     }
     ImGui::SliderInt("sheets", &beams.planes, 1, 256, "%d",
                      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
@@ -193,6 +195,7 @@ void drawExposure(ViewerState& state, const PictureFacts& facts) {
         ImGui::SliderScalar("EV100", ImGuiDataType_Double, &*state.look.ev100, &low, &high, "%.2f",
                             ImGuiSliderFlags_AlwaysClamp);
     }
+    chooseNamed("tone curve", toneCurves(), state.look.toneCurve);
     bool lux = state.highestLux.has_value();
     if (ImGui::Checkbox("illuminance in false colours", &lux)) {
         state.highestLux = lux ? std::optional<double>(IlluminanceView{}.highestLux) : std::nullopt;
@@ -210,26 +213,14 @@ void drawExposure(ViewerState& state, const PictureFacts& facts) {
 }
 
 void drawSky(ViewerState& state) {
-    constexpr std::array<const char*, 5> kNames = {"none", "auto", "bruneton", "single", "chapman"};
-    const std::string now = state.look.sky ? state.look.sky->model : "none";
-    if (ImGui::BeginCombo("sky", now.c_str())) {
-        for (const char* name : kNames) {
-            if (!ImGui::Selectable(name, now == name)) {
-                continue;
-            }
-            if (std::string(name) == "none") {
-                state.look.sky.reset();
-            } else {
-                SkyLook sky = state.look.sky.value_or(SkyLook{});
-                sky.model = name;
-                state.look.sky = sky;
-            }
-        }
-        ImGui::EndCombo();
+    bool hasSky = state.look.sky.has_value();
+    if (ImGui::Checkbox("sky", &hasSky)) {
+        state.look.sky = hasSky ? std::optional<SkyLook>(SkyLook{}) : std::nullopt;
     }
     if (!state.look.sky) {
         return;
     }
+    chooseNamed("model", skyKinds(), state.look.sky->model);
     SunInSky sun = state.look.sky->sun.value_or(sunOfNoLamp());
     auto elevation = float(sun.elevation * kDegrees);
     auto azimuth = float(sun.azimuth * kDegrees);

@@ -118,7 +118,7 @@ void Pointer::dragAim(ViewerState& state, const StageView& stage, glm::ivec2 win
             beside(state.view.camera, window, *aimOf(stage.scene(), *lamp, stage.bounds()), at_);
     }
     if (glm::distance(*target, frame.position) > 1e-6) {
-        state.changeOf(lamp->name, lamp->number).frame = turned(frame, *target - frame.position);
+        state.changeOf(*lamp).frame = turned(frame, *target - frame.position);
     }
 }
 
@@ -293,12 +293,11 @@ void handleSceneKey(const KeyPress& press, ViewerState& state, const StageView& 
     } else if (press.key == GLFW_KEY_F) {
         frame(state.view, boundsToFrame(stage, lamp), aspectRatio);
     } else if (press.key == GLFW_KEY_O && lamp != nullptr) {
-        LampChange& change = state.changeOf(lamp->name, lamp->number);
+        LampChange& change = state.changeOf(*lamp);
         toggle(press.shift ? change.solo : change.off);
     } else if (isZoom(press.key) && lamp != nullptr && lamp->kind == LampId::Kind::kSpot) {
         const bool wider = press.key == GLFW_KEY_EQUAL || press.key == GLFW_KEY_KP_ADD;
-        zoom(state.changeOf(lamp->name, lamp->number),
-             stage.scene().spotLights[std::size_t(lamp->index)],
+        zoom(state.changeOf(*lamp), stage.scene().spotLights[std::size_t(lamp->index)],
              wider ? kZoomStep : 1.0 / kZoomStep);
     }
 }

@@ -265,7 +265,7 @@ void Viewer::drop(const std::filesystem::path& file) {
     } else {
         const LampId& lamp = stage_->lamps()[std::size_t(state_.selected)];
         if (lamp.kind == LampId::Kind::kSpot) {
-            state_.changeOf(lamp.name, lamp.number).lightMap.file = plain(file);
+            state_.changeOf(lamp).lightMap.file = plain(file);
         } else {
             state_.sayError("lamp '" + lamp.name + "' is no spot and takes no light map");
         }

@@ -1,6 +1,5 @@
 #include "viewer/viewer_state.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/log.h"
@@ -42,19 +41,6 @@ void ViewerState::say(const std::string& text) {
 void ViewerState::sayError(const std::string& text) {
     logWarning(text);
     messages.push_back({text, true, steady_clock::now() + kErrorShown});
-}
-
-LampChange& ViewerState::changeOf(const std::string& name, int number) {
-    const auto found = std::find_if(
-        look.lamps.begin(), look.lamps.end(),
-        [&](const LampChange& change) { return change.name == name && change.number == number; });
-    if (found != look.lamps.end()) {
-        return *found;
-    }
-    LampChange change;
-    change.name = name;
-    change.number = number;
-    return look.lamps.emplace_back(std::move(change));
 }
 
 }  // namespace ribalta

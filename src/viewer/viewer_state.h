@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "look/apply_look.h"
 #include "look/look.h"
 #include "viewer/navigate.h"
 
@@ -55,9 +56,8 @@ struct ViewerState {
     void say(const std::string& text);
     void sayError(const std::string& text);
 
-    /// The look's change of the lamp that is known by that name and number; made where there is
-    /// none.
-    LampChange& changeOf(const std::string& name, int number);
+    /// The look's change of a lamp; made where there is none.
+    LampChange& changeOf(const LampId& lamp) { return findOrAddChange(look.lamps, lamp); }
 };
 
 }  // namespace ribalta

@@ -266,7 +266,7 @@ TEST_F(BeamReference, AdaptiveIsWithinItsToleranceOnTheScreen) {
     settings.ev100 = 6.0;
     const auto shown = [](const glm::dvec3& luminance) {
         return shader::srgbEncode(
-            shader::tonemap(luminance * double(shader::exposureFromEv100(6.0))));
+            shader::toneNeutral(luminance * double(shader::exposureFromEv100(6.0))));
     };
     for (const View& view : views()) {
         settings.beams.method = BeamMethod::kClipped;

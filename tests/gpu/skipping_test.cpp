@@ -289,24 +289,24 @@ TEST_F(Skipping, AFrameInWhichNothingChangedDrawsNothing) {
 TEST_F(Skipping, ByEveryMethod) {
     settings_.display = true;
     settings_.ev100 = 5.0;
-    for (const BeamMethod method : allBeamMethods()) {
+    for (const auto& [method, methodName] : beamMethods()) {
         settings_.beams.method = method;
         // Without haze no method builds anything of its own.
         settings_.haze.scatteringPerMetre = 0.0;
         const Live made = firstFrame();
-        EXPECT_EQ(line_, "shadow_map[1] forward tonemap") << name(method);
-        EXPECT_EQ(made.programs, 3) << name(method);
-        EXPECT_EQ(made.textures, 4) << name(method);
+        EXPECT_EQ(line_, "shadow_map[1] forward tonemap") << methodName;
+        EXPECT_EQ(made.programs, 3) << methodName;
+        EXPECT_EQ(made.textures, 4) << methodName;
         // With it, a still frame draws nothing again.
         settings_.haze.scatteringPerMetre = 0.05;
         Renderer renderer(scene_);
         renderer.draw(camera_, settings_);
         const Frame3 first = readBack(renderer);
         const GlCounters before = glCounters();
-        EXPECT_TRUE(renderer.draw(camera_, settings_).kept) << name(method);
-        EXPECT_EQ(glCounters().drawCalls, before.drawCalls) << name(method);
-        EXPECT_EQ(glCounters().bytesAllocated, before.bytesAllocated) << name(method);
-        EXPECT_EQ(readBack(renderer).image.values, first.image.values) << name(method);
+        EXPECT_TRUE(renderer.draw(camera_, settings_).kept) << methodName;
+        EXPECT_EQ(glCounters().drawCalls, before.drawCalls) << methodName;
+        EXPECT_EQ(glCounters().bytesAllocated, before.bytesAllocated) << methodName;
+        EXPECT_EQ(readBack(renderer).image.values, first.image.values) << methodName;
     }
 }
 

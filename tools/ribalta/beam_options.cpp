@@ -13,8 +13,8 @@ constexpr double kMinErrorPercent = 0.001;
 
 std::vector<std::string> methodNames() {
     std::vector<std::string> names = {"auto"};
-    for (const BeamMethod method : allBeamMethods()) {
-        names.emplace_back(name(method));
+    for (const Named<BeamMethod>& each : beamMethods()) {
+        names.emplace_back(each.name);
     }
     return names;
 }
@@ -83,7 +83,7 @@ BeamSettings BeamOptions::parsed(const BeamSettings& otherwise) const {
         throw CLI::ValidationError("--beams", "auto chooses --planes and --tolerance itself");
     }
     if (method && method != "auto") {
-        settings.method = beamMethodNamed(*method).value();
+        settings.method = valueIn(beamMethods(), *method).value();
     }
     settings.planes = planes.value_or(settings.planes);
     if (tolerance) {

@@ -50,6 +50,23 @@ void addAmbientOption(CLI::App& command, std::optional<double>& lux) {
         ->check(expectLux, "");
 }
 
+void addToneCurveOption(CLI::App& command, std::optional<ToneCurve>& curve) {
+    const auto take = [&curve](const std::string& text) {
+        curve = valueIn(toneCurves(), text);
+        if (!curve) {
+            throw CLI::ValidationError("--tone-curve",
+                                       "'" + text + "' is none of: " + listOf(toneCurves()));
+        }
+    };
+    command
+        .add_option_function<std::string>(
+            "--tone-curve", take,
+            "how the .png shows light that is brighter than a screen: neutral (colours kept, "
+            "highlights rolled off), agx (as Blender since 4.0), aces, linear (cut off) (default: "
+            "neutral)")
+        ->type_name(listOf(toneCurves(), "|"));
+}
+
 PictureSize parseSize(const std::string& text) {
     return parsePair("--size", text, kMaxSide);
 }
@@ -80,21 +97,17 @@ void parsePhase(const std::string& text, PhaseFunction& phase) {
     using Kind = PhaseFunction::Kind;
     const std::size_t colon = text.find(':');
     const std::string name = text.substr(0, colon);
-    const bool needsG = name == "hg" || name == "cornette-shanks";
+    const std::optional<Kind> kind = valueIn(phaseFunctions(), name);
+    const bool needsG = kind && PhaseFunction{*kind}.hasG();
     const auto g =
         colon == std::string::npos ? std::nullopt : parseNumber<double>(text.substr(colon + 1));
-    const bool known = needsG || name == "gibbons" || name == "isotropic" || name == "rayleigh";
     const bool well = needsG ? g && std::abs(*g) < 1.0 : colon == std::string::npos;
-    if (!known || !well) {
+    if (!kind || !well) {
         throw CLI::ValidationError("--phase", "'" + text +
                                                   "' is not gibbons, isotropic, rayleigh, hg:G or "
                                                   "cornette-shanks:G with -1 < G < 1");
     }
-    phase.kind = name == "gibbons"     ? Kind::kGibbons
-                 : name == "isotropic" ? Kind::kIsotropic
-                 : name == "rayleigh"  ? Kind::kRayleigh
-                 : name == "hg"        ? Kind::kHenyeyGreenstein
-                                       : Kind::kCornetteShanks;
+    phase.kind = *kind;
     phase.g = g.value_or(0.0);
 }
 

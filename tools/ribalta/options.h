@@ -20,6 +20,7 @@ void addSceneOption(CLI::App& command, std::string& scene);
 void addCameraOption(CLI::App& command, std::optional<std::string>& camera);
 void addSizeOption(CLI::App& command, std::optional<std::string>& size);
 void addAmbientOption(CLI::App& command, std::optional<double>& lux);
+void addToneCurveOption(CLI::App& command, std::optional<ToneCurve>& curve);
 
 struct PictureSize {
     int width = 1280;

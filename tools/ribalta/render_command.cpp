@@ -48,6 +48,7 @@ struct RenderOptions {
     BeamOptions beams;
     AnimationOptions animation;
     std::optional<std::string> exposure;
+    std::optional<ToneCurve> toneCurve;
     std::optional<double> ambient;
     std::optional<double> illuminance;
     std::string layers;
@@ -70,6 +71,7 @@ FrameSettings settingsFrom(const RenderOptions& options, const Look& look,
     settings.beams = options.beams.parsed(look.beams);
     settings.ambientLux = options.ambient.value_or(look.ambientLux);
     settings.ev100 = options.exposure ? parseExposure(*options.exposure) : look.ev100;
+    settings.toneCurve = options.toneCurve.value_or(look.toneCurve);
     if (settings.beams.eightBitBlending && !settings.ev100) {
         throw CLI::ValidationError("--eight-bit", "needs an exposure: give --exposure EV100");
     }
@@ -287,6 +289,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
                     "exposure of the .png as EV100, -60..60, or auto; 1 more halves its brightness "
                     "(default: auto)")
         ->type_name("EV100|auto");
+    addToneCurveOption(command, options.toneCurve);
     addAmbientOption(command, options.ambient);
     command
         .add_option("--illuminance", options.illuminance,

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/log.h"
+#include "look/look_settings.h"
 #include "options.h"
 #include "parse_number.h"
 
@@ -15,11 +16,10 @@ namespace ribalta {
 namespace {
 
 constexpr double kHighestMetres = 1e9;
-constexpr const char* kSkies[] = {"none", "auto", "bruneton", "single", "chapman"};
-constexpr const char* kSunOfNoLamp = "30,135";
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 // From elevation and azimuth in degrees.
-glm::dvec3 parseSun(const std::string& text) {
+SunInSky parseSun(const std::string& text) {
     const std::size_t comma = text.find(',');
     const auto elevation = parseNumber<double>(text.substr(0, comma));
     const auto azimuth =
@@ -28,9 +28,7 @@ glm::dvec3 parseSun(const std::string& text) {
         throw CLI::ValidationError(
             "--sun", "'" + text + "' is not ELEVATION,AZIMUTH in degrees, -90..90 and -360..360");
     }
-    const double up = *elevation * std::numbers::pi / 180.0;
-    const double around = *azimuth * std::numbers::pi / 180.0;
-    return {std::cos(up) * std::sin(around), std::sin(up), -std::cos(up) * std::cos(around)};
+    return {*elevation / kDegrees, *azimuth / kDegrees};
 }
 
 std::string expectAltitude(const std::string& text) {
@@ -61,16 +59,13 @@ void SkyOptions::addTo(CLI::App& command) {
                 "Bruneton & Neyret 2008 as described in 2017), single (their simplified "
                 "variant: light scattered once), chapman (no tables: Schuler's form of "
                 "Chapman's function, without haze)")
-            ->type_name("none|auto|bruneton|single|chapman")
+            ->type_name("none|" + listOf(skyKinds(), "|"))
             ->check(
                 [](const std::string& text) {
-                    for (const char* known : kSkies) {
-                        if (text == known) {
-                            return std::string();
-                        }
-                    }
-                    return "there is no sky '" + text +
-                           "'; there are: none, auto, bruneton, single, chapman";
+                    return text == "none" || valueIn(skyKinds(), text)
+                               ? std::string()
+                               : "there is no sky '" + text + "'; there are: none, " +
+                                     listOf(skyKinds());
                 },
                 "")
             ->capture_default_str();
@@ -123,17 +118,13 @@ void SkyOptions::fillFrom(const std::optional<SkyLook>& look) {
         return;
     }
     if (skyOption_->count() == 0) {
-        sky = look->model;
+        sky = name(look->model);
     }
     if (sky == "none") {
         return;
     }
     if (look->sun && !sun && sunTime.given().empty()) {
-        constexpr double kDegrees = 180.0 / std::numbers::pi;
-        char text[80];
-        std::snprintf(text, sizeof text, "%.17g,%.17g", look->sun->elevation * kDegrees,
-                      look->sun->azimuth * kDegrees);
-        sun = text;
+        sunOfLook_ = look->sun;
     }
     altitude = altitude.value_or(look->altitudeMetres);
 }
@@ -180,42 +171,57 @@ DrawnSky SkyOptions::model() const {
     return OwnSky();
 }
 
+std::optional<SunInSky> SkyOptions::sunAsked() const {
+    if (sun) {
+        return parseSun(*sun);
+    }
+    const std::optional<SunInSky> place = sunTime.parsed();
+    return place ? place : sunOfLook_;
+}
+
+// Which sun is taken, where its place was not given as such.
+void SkyOptions::tellOfSun(const Scene& scene) const {
+    char line[160];
+    if (const std::optional<SunInSky> place = sunTime.parsed()) {
+        std::snprintf(line, sizeof line,
+                      "sky: at %s the sun stands at %.2f,%.2f (elevation without refraction, "
+                      "azimuth)",
+                      sunTime.time->c_str(), place->elevation * kDegrees,
+                      place->azimuth * kDegrees);
+        logNote(line);
+    } else if (sunAsked()) {
+        return;
+    } else if (!scene.directionalLights.empty()) {
+        logNote("sky: the sun stands where the directional lamp '" +
+                scene.directionalLights.front().name + "' shines from, in its place");
+    } else {
+        const SunInSky usual = sunOfNoLamp();
+        std::snprintf(line, sizeof line,
+                      "sky: the file has no directional lamp; the sun stands at %.4g,%.4g, give "
+                      "--sun ELEVATION,AZIMUTH for another place",
+                      usual.elevation * kDegrees, usual.azimuth * kDegrees);
+        logNote(line);
+    }
+}
+
 std::optional<SkyDrawing> SkyOptions::parsed(const Scene& scene) const {
     check();
     if (sky == "none") {
         return std::nullopt;
     }
-    SkyDrawing drawing;
+    tellOfSun(scene);
+    SkyLook look;
+    look.sun = sunAsked();
+    look.altitudeMetres = altitude.value_or(0.0);
+    SkyDrawing drawing = skyDrawing(look, scene);
     drawing.model = model();
     drawing.air = atmosphere.parsed();
     // Schuler's model has no haze, whatever passes through its air.
     if (std::holds_alternative<ChapmanSky>(drawing.model)) {
         drawing.air = withoutMie(drawing.air);
     }
-    drawing.altitudeMetres = altitude.value_or(0.0);
     if (orders) {
         drawing.orders = {*orders, false};
-    }
-    drawing.sunLamp = scene.directionalLights.empty() ? -1 : 0;
-    if (sun) {
-        drawing.towardsSun = parseSun(*sun);
-    } else if (const std::optional<SunInSky> place = sunTime.parsed()) {
-        drawing.towardsSun = towards(*place);
-        char line[160];
-        std::snprintf(line, sizeof line,
-                      "sky: at %s the sun stands at %.2f,%.2f (elevation without refraction, "
-                      "azimuth)",
-                      sunTime.time->c_str(), place->elevation * 180.0 / std::numbers::pi,
-                      place->azimuth * 180.0 / std::numbers::pi);
-        logNote(line);
-    } else if (drawing.sunLamp == 0) {
-        drawing.towardsSun = -scene.directionalLights.front().direction;
-        logNote("sky: the sun stands where the directional lamp '" +
-                scene.directionalLights.front().name + "' shines from, in its place");
-    } else {
-        drawing.towardsSun = parseSun(kSunOfNoLamp);
-        logNote(std::string("sky: the file has no directional lamp; the sun stands at ") +
-                kSunOfNoLamp + ", give --sun ELEVATION,AZIMUTH for another place");
     }
     return drawing;
 }

@@ -46,9 +46,12 @@ struct SkyOptions {
 
   private:
     CLI::Option* skyOption_ = nullptr;
+    std::optional<SunInSky> sunOfLook_;
 
     void addPlaceTo(CLI::App& command);
     DrawnSky model() const;
+    std::optional<SunInSky> sunAsked() const;
+    void tellOfSun(const Scene& scene) const;
 };
 
 /// Says on stderr that a camera is below the planet's ground, where it is.

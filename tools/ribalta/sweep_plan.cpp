@@ -174,20 +174,18 @@ std::vector<int> parsePlaneCounts(const std::string& text) {
 }
 
 std::vector<BeamMethod> parseMethods(const std::string& text) {
-    if (text == "all") {
-        return {allBeamMethods().begin(), allBeamMethods().end()};
-    }
     std::vector<BeamMethod> methods;
+    if (text == "all") {
+        for (const Named<BeamMethod>& each : beamMethods()) {
+            methods.push_back(each.value);
+        }
+        return methods;
+    }
     for (const std::string& part : split(text, ',')) {
-        const std::optional<BeamMethod> method = beamMethodNamed(part);
+        const std::optional<BeamMethod> method = valueIn(beamMethods(), part);
         if (!method) {
-            std::string names;
-            for (const BeamMethod each : allBeamMethods()) {
-                names += ", ";
-                names += name(each);
-            }
-            throw CLI::ValidationError("--beams",
-                                       "'" + part + "' is none of the methods: all" + names);
+            throw CLI::ValidationError(
+                "--beams", "'" + part + "' is none of the methods: all, " + listOf(beamMethods()));
         }
         if (std::find(methods.begin(), methods.end(), *method) == methods.end()) {
             methods.push_back(*method);

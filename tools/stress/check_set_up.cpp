@@ -87,7 +87,7 @@ double quadratureBound(const Roughness& roughness, int samples) {
 
 /// What a screen shows, 0..1.
 glm::dvec3 shown(const glm::dvec3& luminance, double ev100) {
-    return shader::srgbEncode(shader::tonemap(luminance * shader::exposureFromEv100(ev100)));
+    return shader::srgbEncode(shader::toneNeutral(luminance * shader::exposureFromEv100(ev100)));
 }
 
 class PixelCheck {

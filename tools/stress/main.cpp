@@ -52,9 +52,9 @@ struct Tally {
 class Run {
   public:
     explicit Run(const Options& options) : options_(options) {
-        for (const BeamMethod method : allBeamMethods()) {
-            if (options.beams == "all" || options.beams == name(method)) {
-                methods_.push_back(method);
+        for (const Named<BeamMethod>& each : beamMethods()) {
+            if (options.beams == "all" || options.beams == each.name) {
+                methods_.push_back(each.value);
             }
         }
     }
@@ -158,8 +158,8 @@ int run(int argc, char** argv) {
     app.add_option("--case", options.firstCase, "This case of the seed, or the first of --cases")
         ->check(CLI::NonNegativeNumber);
     std::vector<std::string> names = {"all"};
-    for (const BeamMethod method : allBeamMethods()) {
-        names.emplace_back(name(method));
+    for (const Named<BeamMethod>& each : beamMethods()) {
+        names.emplace_back(each.name);
     }
     app.add_option("--beams", options.beams, "Method")
         ->check(CLI::IsMember(names))

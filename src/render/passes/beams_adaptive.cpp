@@ -168,7 +168,7 @@ void AdaptiveBeamsPass::draw(const BeamsWork& work, const GpuScene& gpuScene,
     drawLattice(work, programs.lattice);
 
     glBindTextureUnit(gpu::kBeamLatticeUnit, latticeMap_.name());
-    exposure_.draw(work.ev100, targets.color);
+    exposure_.draw(work.ev100, work.toneCurve, targets.color);
     glBindTextureUnit(gpu::kColorUnit, targets.color.name());
     drawFineLattice(work, programs.fine);
     findQuads(work);

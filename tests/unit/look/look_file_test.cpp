@@ -52,9 +52,10 @@ Look fullLook(const TestFolder& folder) {
     look.haze.phase = {PhaseFunction::Kind::kHenyeyGreenstein, 0.6, PhaseFunction{}.k};
     look.beams.method = BeamMethod::kClipped;
     look.beams.planes = 48;
-    look.sky = SkyLook{"single", SunInSky{0.1, 2.0}, 30.0};
+    look.sky = SkyLook{SkyKind::kSingle, SunInSky{0.1, 2.0}, 30.0};
     look.ambientLux = 0.1;
     look.ev100 = 7.3;
+    look.toneCurve = ToneCurve::kAgx;
     return look;
 }
 
