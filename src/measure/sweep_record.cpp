@@ -61,7 +61,9 @@ Json settingsToJson(const FrameSettings& settings) {
             {"phase", int(haze.phase.kind)},
             {"phase_g", haze.phase.g},
             {"phase_k", haze.phase.k},
-            {"ambient_lux", settings.ambientLux}};
+            {"ambient_lux", settings.ambientLux},
+            {"ev100", valueOrNull(settings.ev100)},
+            {"tone_curve", std::string(name(settings.toneCurve))}};
 }
 
 FrameSettings settingsFromJson(const Json& json) {
@@ -83,6 +85,8 @@ FrameSettings settingsFromJson(const Json& json) {
     settings.haze.phase.g = json.at("phase_g");
     settings.haze.phase.k = json.at("phase_k");
     settings.ambientLux = json.at("ambient_lux");
+    settings.ev100 = valueIfAny<double>(json.at("ev100"));
+    settings.toneCurve = valueIn(toneCurves(), json.at("tone_curve").get<std::string>()).value();
     return settings;
 }
 
@@ -265,7 +269,8 @@ Json toJson(const SweepRecord& record) {
             {"errors", errors},
             {"picture", record.picture},
             {"reference", record.reference},
-            {"difference", record.difference}};
+            {"difference", record.difference},
+            {"frame", record.frame}};
 }
 
 SweepRecord recordFromJson(const Json& json) {
@@ -295,6 +300,7 @@ SweepRecord recordFromJson(const Json& json) {
     record.picture = json.at("picture");
     record.reference = json.at("reference");
     record.difference = json.at("difference");
+    record.frame = json.at("frame");
     return record;
 }
 

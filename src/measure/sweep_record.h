@@ -64,6 +64,7 @@ struct SweepRecord {
     std::string picture;     ///< file beside the results; empty: none
     std::string reference;   ///< shown, of errors.front()
     std::string difference;  ///< from errors.front()'s reference
+    std::string frame;       ///< the frame itself at full size, where it was asked for
 
     double fps() const { return frameMs.median > 0.0 ? 1000.0 / frameMs.median : 0.0; }
     /// GPU time of the pass that draws beams; 0 without one.

@@ -22,9 +22,13 @@ RgbPicture addPictures(const RgbPicture& a, const RgbPicture& b) {
 
 }  // namespace
 
-SweepView::SweepView(RgbPicture surfaces, std::vector<ReferenceBeams> references)
-    : surfaces_(std::move(surfaces)), references_(std::move(references)) {
-    if (!references_.empty()) {
+SweepView::SweepView(RgbPicture surfaces, std::vector<ReferenceBeams> references,
+                     std::optional<double> ev100, ToneCurve toneCurve)
+    : surfaces_(std::move(surfaces)),
+      references_(std::move(references)),
+      ev100_(ev100.value_or(0.0)),
+      toneCurve_(toneCurve) {
+    if (!ev100 && !references_.empty()) {
         ev100_ = autoExposure(addPictures(surfaces_, references_.front().beams));
     }
     for (const ReferenceBeams& reference : references_) {
@@ -35,7 +39,7 @@ SweepView::SweepView(RgbPicture surfaces, std::vector<ReferenceBeams> references
 }
 
 RgbPicture SweepView::show(const RgbPicture& beams) const {
-    return displayPicture(addPictures(surfaces_, beams), ev100_);
+    return displayPicture(addPictures(surfaces_, beams), ev100_, toneCurve_);
 }
 
 std::vector<SweepError> SweepView::errorsOf(const RgbPicture& beams,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,11 @@ struct ReferenceBeams {
 class SweepView {
   public:
     /// `surfaces` are the renderer's own, in cd/m2, without beams: every picture is shown on the
-    /// same ones, so that what differs are beams alone. The first reference gives the exposure.
-    /// Without references no errors are given.
-    SweepView(RgbPicture surfaces, std::vector<ReferenceBeams> references);
+    /// same ones, so that what differs are beams alone. Where none is given, the first reference
+    /// gives the exposure. Without references no errors are given.
+    SweepView(RgbPicture surfaces, std::vector<ReferenceBeams> references,
+              std::optional<double> ev100 = std::nullopt,
+              ToneCurve toneCurve = ToneCurve::kNeutral);
 
     /// EV100 at which pictures are shown.
     double ev100() const { return ev100_; }
@@ -47,6 +50,7 @@ class SweepView {
     RgbPicture surfaces_;
     std::vector<ReferenceBeams> references_;
     double ev100_ = 0.0;
+    ToneCurve toneCurve_ = ToneCurve::kNeutral;
     std::vector<Shown> shown_;
 };
 

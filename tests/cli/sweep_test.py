@@ -103,6 +103,36 @@ class Results(SweepTest):
                 self.assertIn("of 3 repeats", record["message"])
 
 
+class OfALook(SweepTest):
+    LOOK = {"ribalta_look": 1, "size": [48, 27], "exposure": 6, "tone_curve": "agx",
+            "beams": {"method": "march", "planes": 3},
+            "camera": {"position": [0, 2, 8], "rotation": [0, 0, 0, 1], "vertical_fov_degrees": 50}}
+
+    def write_look(self, **changed):
+        self.write("a.json", json.dumps({**self.LOOK, **changed}).encode())
+
+    def test_it_is_what_is_measured(self):
+        self.write_look()
+        self.sweep("--look=a.json", "--repeat=1", "--warmup=0")
+        (name, point), = self.records().items()
+        self.assertEqual(name, "floor/look/48x27/march/3")
+        self.assertEqual([point["settings"][key] for key in ["ev100", "tone_curve"]], [6, "agx"])
+        self.assertEqual(point["ev100"], 6)
+        # What it says of lamps is another measurement.
+        self.write_look(lamps=[{"name": "spot", "intensity": 1}])
+        result = self.sweep("--look=a.json", "--planes=3,4", "--repeat=1", "--warmup=0")
+        self.assertIn("2 points: 2 measured (0 of them before)", result.stdout)
+
+    def test_wrong_usage(self):
+        self.write_look(sky={"model": "auto"})
+        self.expect_error(BAD_INPUT, ["a.json", "/sky"], "sweep", "floor.gltf", "-o", "out", "--look=a.json")
+        self.write_look()
+        self.expect_error(USAGE, ["--look", "one scene"], "sweep", "floor.gltf", "other.gltf", "-o", "out",
+                          "--look=a.json")
+        self.expect_error(USAGE, ["--look", "preset"], "sweep", "floor.gltf", "--preset=pessoa2007", "-o",
+                          "out", "--look=a.json")
+
+
 class GoingOn(SweepTest):
     def test_a_second_run_measures_what_is_new(self):
         self.sweep(*QUICK, "--planes=2,4", "--beams=clipped")

@@ -121,9 +121,15 @@ class WindowTest(CommandTest):
         return stats
 
     def expect_same_picture(self, look, name):
-        """`render --look` draws what the window saved, to the last code value."""
+        """`render --look` and `sweep --look` draw what the window saved, to the last code value."""
+        seen = read_png(self.folder / name)
         self.expect_done("render", "floor.gltf", "--look", look, "-o", "rendered.png")
-        self.assertEqual(read_png(self.folder / "rendered.png"), read_png(self.folder / name))
+        self.assertEqual(read_png(self.folder / "rendered.png"), seen)
+        self.expect_done("sweep", "floor.gltf", "--look", look, "-o", "swept", "--keep-frames", "--repeat=1",
+                         "--warmup=0", "--reference-visibility=none")
+        points = json.loads((self.folder / "swept/sweep.json").read_text())["benchmarks"]
+        self.assertEqual(len(points), 1)
+        self.assertEqual(read_png(self.folder / "swept" / points[0]["frame"]), seen)
 
 
 class AnEvening(WindowTest):

@@ -14,6 +14,7 @@
 #include "gl/context.h"
 #include "haze_options.h"
 #include "interrupts.h"
+#include "look_options.h"
 #include "measure/pessoa2007.h"
 #include "measure/sweep_report.h"
 #include "options.h"
@@ -37,6 +38,8 @@ struct SweepOptions {
     std::string size = "1280x720";
     HazeOptions haze;
     std::optional<double> ambient;
+    LookOptions look;
+    bool frames = false;
     std::string visibility = "shadow-map";
     int repeat = 7;
     int warmup = 2;
@@ -52,16 +55,54 @@ struct SweepOptions {
     CLI::Option* sizeOption = nullptr;
 };
 
+// What the look says in place of what was not given.
+void takeFromLook(const SweepOptions& options, const Look& look, SweepGrid& grid) {
+    grid.settings.ev100 = look.ev100;
+    grid.settings.toneCurve = look.toneCurve;
+    grid.ownCamera = look.camera;
+    if (options.planesOption->count() == 0) {
+        grid.planes = {look.beams.planes};
+    }
+    if (options.beamsOption->count() == 0) {
+        grid.methods = {look.beams.method};
+    }
+    if (options.tolerance.empty() && look.beams.tolerance) {
+        grid.tolerances = {*look.beams.tolerance};
+    }
+    if (options.sizeOption->count() == 0 && look.size) {
+        grid.sizes = {{look.size->x, look.size->y}};
+    }
+}
+
+// A look is of one scene, and a sweep's pictures are of beams.
+void checkLook(const SweepOptions& options, const Look& look) {
+    if (options.look.file && !options.preset.empty()) {
+        throw CLI::ValidationError("--look", "and a preset have settings of their own; give one");
+    }
+    if (options.look.file && options.scenes.size() > 1) {
+        throw CLI::ValidationError("--look", "is of one scene; give one");
+    }
+    if (look.sky) {
+        throw Error(ErrorKind::kBadInput, {*options.look.file, "/sky"},
+                    "sweeps measure beams without a sky; take it out of a copy of the look");
+    }
+}
+
 SweepGrid gridFrom(const SweepOptions& options) {
+    const Look look = options.look.read();
+    checkLook(options, look);
     SweepGrid grid;
     grid.cameras = options.cameras;
     grid.planes = parsePlaneCounts(options.planes);
     grid.methods = parseMethods(options.beams);
     grid.tolerances = parseTolerances(options.tolerance);
-    grid.settings.haze = options.haze.parsed();
-    grid.settings.ambientLux = options.ambient.value_or(grid.settings.ambientLux);
+    grid.settings.haze = options.haze.parsed(look.haze);
+    grid.settings.ambientLux = options.ambient.value_or(look.ambientLux);
     grid.pessoa2007 = !options.preset.empty();
     grid.sizes = parseSizes(options.size);
+    if (options.look.file) {
+        takeFromLook(options, look, grid);
+    }
     if (!grid.pessoa2007) {
         return grid;
     }
@@ -90,11 +131,11 @@ std::vector<std::string> visibilitiesFrom(const std::string& text) {
     return {text};
 }
 
-std::vector<SweepScene> loadScenes(const std::vector<std::string>& paths) {
+std::vector<SweepScene> loadScenes(const std::vector<std::string>& paths, const LookOptions& look) {
     refuseNamesakes(paths);
     std::vector<SweepScene> scenes;
     for (const std::string& path : paths) {
-        scenes.push_back(loadSweepScene(path));
+        scenes.push_back(loadSweepScene(path, look));
         if (!scenes.back().loaded && paths.size() == 1) {
             static_cast<void>(loadGltf(path));  // nothing is left to measure: the error itself
         }
@@ -191,7 +232,8 @@ void sweep(const CLI::App& command, const SweepOptions& options) {
     settings.visibilities = visibilitiesFrom(options.visibility);
     settings.targetPercent = options.target;
     settings.fresh = options.fresh;
-    SweepPlan plan = planSweep(loadScenes(options.scenes), grid);
+    settings.frames = options.frames;
+    SweepPlan plan = planSweep(loadScenes(options.scenes, options.look), grid);
 
     const Context context;
     logVerbose("OpenGL: " + context.renderer() + ", " + context.version());
@@ -251,6 +293,7 @@ void addPointOptions(CLI::App& command, SweepOptions& options) {
         ->type_name("SHARES");
     options.haze.addTo(command);
     addAmbientOption(command, options.ambient);
+    options.look.addTo(command);
     command
         .add_option("--preset", options.preset,
                     "pessoa2007: the six configurations of the thesis, at 640x480, its table "
@@ -303,6 +346,8 @@ void addMeasureOptions(CLI::App& command, SweepOptions& options) {
                     "already, that one goes on")
         ->type_name("FOLDER")
         ->required();
+    command.add_flag("--keep-frames", options.frames,
+                     "keep every point's frame at full size, as `ribalta render` writes it");
     command.add_flag("--fresh", options.fresh, "measure and draw all anew");
     command.add_flag("--verbose", options.verbose, "say what is measured, point by point");
 }

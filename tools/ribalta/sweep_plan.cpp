@@ -9,7 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/content_hash.h"
 #include "base/error.h"
+#include "base/log.h"
 #include "base/read_file.h"
 #include "load_scene.h"
 #include "measure/pessoa2007.h"
@@ -235,7 +237,26 @@ void refuseNamesakes(const std::vector<std::string>& paths) {
     }
 }
 
-SweepScene loadSweepScene(const std::string& path) {
+namespace {
+
+// The look's own bytes go into the hash: what it says of lamps is part of what is measured.
+void bringLook(const LookOptions& options, SweepScene& scene) {
+    const Look look = options.read();
+    if (!poseAt(look.time, scene.loaded->scene)) {
+        logWarning("look: the scene has no animation '" + oneLine(look.time->animation) +
+                   "'; all of them are at its moment");
+    }
+    const BroughtLook brought(look, *scene.loaded);
+    ContentHash hash;
+    hash.add(scene.hash);
+    const std::vector<std::byte> bytes = readFile(*options.file);
+    hash.add(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    scene.hash = hash.text();
+}
+
+}  // namespace
+
+SweepScene loadSweepScene(const std::string& path, const LookOptions& look) {
     SweepScene scene;
     scene.path = path;
     try {
@@ -244,6 +265,9 @@ SweepScene loadSweepScene(const std::string& path) {
     } catch (const Error& error) {
         scene.loaded.reset();
         scene.wrong = error.what();
+    }
+    if (scene.loaded && look.file) {
+        bringLook(look, scene);
     }
     return scene;
 }
@@ -256,8 +280,10 @@ SweepPlan planSweep(std::vector<SweepScene> scenes, const SweepGrid& grid) {
         for (const PictureSize& size : grid.sizes) {
             std::vector<NamedCamera> cameras;
             if (scene.loaded) {
-                cameras = camerasOf(scene.loaded->scene, grid.cameras,
-                                    double(size.width) / size.height, found);
+                cameras = grid.ownCamera && grid.cameras.empty()
+                              ? std::vector<NamedCamera>{{"look", *grid.ownCamera}}
+                              : camerasOf(scene.loaded->scene, grid.cameras,
+                                          double(size.width) / size.height, found);
                 if (cameras.empty()) {
                     throw Error(ErrorKind::kUsage, {scene.path, ""},
                                 "has none of the cameras asked for; it has: " +

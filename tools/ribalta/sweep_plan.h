@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gltf/load_gltf.h"
+#include "look_options.h"
 #include "measure/sweep_record.h"
 #include "options.h"
 #include "scene/camera.h"
@@ -37,8 +38,9 @@ struct SweepScene {
 /// Throws Error(kUsage) where two scenes go by one name: their records could not be told apart.
 void refuseNamesakes(const std::vector<std::string>& paths);
 
-/// Loads it; what is wrong with it is kept for its records.
-SweepScene loadSweepScene(const std::string& path);
+/// Loads it and brings the look that is given; what is wrong with the scene is kept for its
+/// records. Throws Error(kBadInput) where the look is at fault.
+SweepScene loadSweepScene(const std::string& path, const LookOptions& look);
 
 struct PlannedPoint {
     SweepPoint point;
@@ -57,8 +59,9 @@ struct SweepGrid {
     std::vector<PictureSize> sizes;
     std::vector<BeamMethod> methods;
     std::vector<int> planes;
-    std::vector<double> tolerances;  ///< of `adaptive`; none: the renderer's own
-    FrameSettings settings;          ///< haze and ambient light
+    std::vector<double> tolerances;   ///< of `adaptive`; none: the renderer's own
+    FrameSettings settings;           ///< haze, ambient light, exposure, tone curve
+    std::optional<Camera> ownCamera;  ///< of a look; in place of each scene's first
     bool pessoa2007 = false;  ///< the thesis's settings in the place of planes, methods and haze
 };
 

@@ -16,6 +16,7 @@
 #include "measure/scene_hash.h"
 #include "measure/sweep_report.h"
 #include "reference/reference_file.h"
+#include "render/read_frame.h"
 #include "sweep_context.h"
 
 namespace ribalta {
@@ -107,6 +108,7 @@ std::string SweepRun::keyOf(const PlannedPoint& planned) const {
     for (const std::string& visibility : settings_.visibilities) {
         hash.add(visibility);
     }
+    hash.add(settings_.frames ? "frames" : "");
     return hash.text();
 }
 
@@ -251,7 +253,10 @@ SweepView SweepRun::makeView(Renderer& renderer, const PlannedPoint& planned) {
         references.push_back(obtainReference(settings_.folder / "references", scene.loaded->scene,
                                              fileName(planned.point), scene.hash, wanted));
     }
-    return {{settings.width, settings.height, std::move(drawn.surfaces)}, std::move(references)};
+    return {{settings.width, settings.height, std::move(drawn.surfaces)},
+            std::move(references),
+            planned.point.settings.ev100,
+            planned.point.settings.toneCurve};
 }
 
 // Named after the view's first point; empty without a reference.
@@ -282,9 +287,23 @@ void SweepRun::runPoint(Renderer& renderer, const SweepView& view, const std::st
     if (record.status == SweepRecord::Status::kMeasured) {
         record.reference = reference;
         showLight(renderer, view, planned, record);
+        if (settings_.frames) {
+            keepFrame(renderer, planned, record);
+        }
     }
     tellOfPoint(record);
     finishPoint(index, std::move(record));
+}
+
+// As `ribalta render` would write it.
+void SweepRun::keepFrame(Renderer& renderer, const PlannedPoint& planned, SweepRecord& record) {
+    FrameSettings settings = planned.point.settings;
+    settings.display = true;
+    renderer.draw(planned.camera, settings);
+    record.frame = "pictures/";
+    record.frame += keys_[std::size_t(&planned - plan_.points.data())] + "-frame.png";
+    writePng(settings_.folder / record.frame, settings.width, settings.height,
+             readDisplay(renderer.targets()));
 }
 
 void SweepRun::showLight(Renderer& renderer, const SweepView& view, const PlannedPoint& planned,

@@ -25,6 +25,7 @@ struct SweepSettings {
     std::vector<std::string> visibilities;  ///< of references: "shadow-map", "geometry"; or none
     double targetPercent = 0.5;             ///< error that the report compares times at
     bool fresh = false;                     ///< forget what was measured and drawn before
+    bool frames = false;                    ///< keep every point's frame at full size
 };
 
 class SweepRun {
@@ -63,6 +64,7 @@ class SweepRun {
     std::string writeReferencePicture(const SweepView& view, const std::string& key) const;
     void runPoint(Renderer& renderer, const SweepView& view, const std::string& reference,
                   std::size_t index);
+    void keepFrame(Renderer& renderer, const PlannedPoint& planned, SweepRecord& record);
     void showLight(Renderer& renderer, const SweepView& view, const PlannedPoint& planned,
                    SweepRecord& record);
     void fail(const Range& range, const std::string& why);
