@@ -16,6 +16,10 @@ void logWarning(const std::string& line) {
     Progress::writeLine("ribalta: warning: " + oneLine(line));
 }
 
+void logError(const std::string& line) {
+    Progress::writeLine("ribalta: error: " + oneLine(line));
+}
+
 void logNote(const std::string& line) {
     Progress::writeLine(line);
 }

@@ -10,6 +10,8 @@ void setVerbose(bool verbose);
 
 /// "ribalta: warning: ..." always.
 void logWarning(const std::string& line);
+/// "ribalta: error: ..." always: one of several, before the Error that ends the program.
+void logError(const std::string& line);
 /// The line as it is, always.
 void logNote(const std::string& line);
 /// The line as it is, only with --verbose.

@@ -8,6 +8,7 @@
 #include "gltf/check_extensions.h"
 #include "gltf/check_json.h"
 #include "gltf/check_nodes.h"
+#include "gltf/choose_scene.h"
 #include "gltf/import.h"
 #include "gltf/parse_model.h"
 #include "gltf/read_animations.h"
@@ -112,7 +113,7 @@ void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, R
 
 }  // namespace
 
-LoadedScene loadGltf(const std::filesystem::path& path) {
+LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options) {
     LoadedScene loaded;
     Scene& scene = loaded.scene;
     Report& report = loaded.report;
@@ -131,8 +132,11 @@ LoadedScene loadGltf(const std::filesystem::path& path) {
     listExtensions(import.json, loaded);
     import.model = parseModel(import.json, import.file);
     reportUnread(import, report);
-    NodeList list = readNodes(import, report);
-    scene.name = std::move(list.sceneName);
+    const ChosenScene chosen = chooseScene(import, options.scene, report);
+    loaded.sceneNames = chosen.allNames;
+    loaded.sceneIndex = chosen.index;
+    NodeList list = readNodes(import, chosen.roots, report);
+    scene.name = chosen.index < 0 ? "" : chosen.allNames[std::size_t(chosen.index)];
     watch.lap("parse");
 
     import.buffers = readBuffers(import.json, import.file, import.folder, container.bin);

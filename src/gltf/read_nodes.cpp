@@ -83,36 +83,6 @@ glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report&
     return matrix;
 }
 
-std::vector<std::size_t> rootsOf(const Import& import, std::string& sceneName, Report& report) {
-    std::vector<std::size_t> roots;
-    const tinygltf::Model& model = import.model;
-    const nlohmann::json& chosen = member(import.json, "scene");
-    if (!model.scenes.empty()) {
-        const std::size_t index = chosen.is_null() ? 0 : chosen.get<std::size_t>();
-        const tinygltf::Scene& scene = model.scenes[index];
-        sceneName = scene.name;
-        roots.assign(scene.nodes.begin(), scene.nodes.end());
-        if (model.scenes.size() > 1) {
-            report.ignored(import.file.at("scenes"), "has " + std::to_string(model.scenes.size()) +
-                                                         " scenes; scene " + std::to_string(index) +
-                                                         " is drawn");
-        }
-        return roots;
-    }
-    std::vector<char> hasParent(model.nodes.size(), 0);
-    for (const tinygltf::Node& node : model.nodes) {
-        for (const int child : node.children) {
-            hasParent[std::size_t(child)] = 1;
-        }
-    }
-    for (std::size_t i = 0; i < hasParent.size(); ++i) {
-        if (hasParent[i] == 0) {
-            roots.push_back(i);
-        }
-    }
-    return roots;
-}
-
 // Places what could be placed on its own, but not below its parents.
 void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
     std::vector<glm::dmat4> world(list.nodes.size());
@@ -134,12 +104,11 @@ void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
 
 }  // namespace
 
-NodeList readNodes(const Import& import, Report& report) {
+NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, Report& report) {
     NodeList list;
     const tinygltf::Model& model = import.model;
     // A stack of nodes to visit with their parents; check_nodes made sure that it is a forest.
     std::vector<std::pair<std::size_t, int>> open;
-    const std::vector<std::size_t> roots = rootsOf(import, list.sceneName, report);
     for (std::size_t i = roots.size(); i-- > 0;) {
         open.emplace_back(roots[i], -1);
     }

@@ -19,13 +19,12 @@ inline constexpr double kMaxTransform = 1e30;
 
 /// The drawn nodes. Their `mesh` is the glTF's index.
 struct NodeList {
-    std::string sceneName;
     std::vector<Node> nodes;
     std::vector<std::size_t> gltfNodes;  ///< for each, its index in the glTF
 };
 
-/// The nodes of the default scene, or of the first, or below all roots where there is no scene.
-NodeList readNodes(const Import& import, Report& report);
+/// The nodes in and below `roots`, the glTF's indices, each of which is in no other's hierarchy.
+NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, Report& report);
 
 /// How the file places a node of the list, in parts; none where it has a matrix, or where its
 /// transform could not be used.

@@ -10,11 +10,11 @@
 namespace ribalta {
 namespace {
 
-BackgroundLoader::Result read(const std::filesystem::path& path) {
+BackgroundLoader::Result read(const std::filesystem::path& path, const LoadOptions& options) {
     BackgroundLoader::Result result;
     result.path = path;
     try {
-        result.scene = loadGltf(path);
+        result.scene = loadGltf(path, options);
     } catch (const std::bad_alloc&) {
         result.error = path.string() + ": out of memory";
     } catch (const std::exception& error) {
@@ -30,8 +30,15 @@ BackgroundLoader::~BackgroundLoader() = default;
 void BackgroundLoader::begin(const std::filesystem::path& path) {
     reading_ = path;
     start_ = std::chrono::steady_clock::now();
-    thread_ = std::jthread([this, path] {
-        Result result = read(path);
+    if (!first_) {
+        first_ = path;
+    }
+    LoadOptions options = options_;
+    if (path != *first_) {
+        options.scene.reset();
+    }
+    thread_ = std::jthread([this, path, options] {
+        Result result = read(path, options);
         {
             const std::scoped_lock lock(mutex_);
             result_ = std::move(result);

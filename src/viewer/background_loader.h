@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "gltf/load_gltf.h"
 
@@ -21,7 +22,8 @@ class BackgroundLoader {
         std::string error;  ///< where there is no scene
     };
 
-    BackgroundLoader() = default;
+    /// How files are read; the `scene` that is asked for is one of the first file.
+    explicit BackgroundLoader(LoadOptions options) : options_(std::move(options)) {}
     ~BackgroundLoader();
     BackgroundLoader(const BackgroundLoader&) = delete;
     BackgroundLoader& operator=(const BackgroundLoader&) = delete;
@@ -40,6 +42,8 @@ class BackgroundLoader {
   private:
     void begin(const std::filesystem::path& path);
 
+    LoadOptions options_;
+    std::optional<std::filesystem::path> first_;
     std::optional<std::filesystem::path> reading_;
     std::optional<std::filesystem::path> next_;
     std::chrono::steady_clock::time_point start_;

@@ -26,7 +26,9 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Viewer::Viewer(ViewerOptions options)
-    : options_(std::move(options)), window_("ribalta", options_.look.size.value_or(options_.size)) {
+    : options_(std::move(options)),
+      window_("ribalta", options_.look.size.value_or(options_.size)),
+      loader_(options_.loading) {
     state_.look = options_.look;
     state_.showPanels = options_.showPanels;
     facts_.renderer = window_.renderer();

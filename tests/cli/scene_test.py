@@ -2,8 +2,8 @@
 
 import unittest
 
-from command import (DONE, SCENES, CommandTest, add_node, add_texture, make_floor, make_png,
-                     read_png)
+from command import (BAD_INPUT, DONE, SCENES, USAGE, CommandTest, add_node, add_texture,
+                     make_floor, make_png, read_png)
 
 
 class Scenes(CommandTest):
@@ -119,6 +119,40 @@ class Inspect(CommandTest):
         text = self.expect_done("inspect", self.write_scene("coat.gltf", scene)).stdout
         self.assertIn("KHR_materials_clearcoat (ignored)", text)
         self.assertRegex(text, r"ignored: /materials/0")
+
+    def test_strict_makes_errors_of_the_report(self):
+        scene = make_floor()
+        self.expect_done("inspect", self.write_scene("fine.gltf", scene), "--strict")
+        scene["extensionsUsed"].append("KHR_unheard_of")
+        scene["materials"] = [{"extensions": {"KHR_unheard_of": {}},
+                               "pbrMetallicRoughness": {"roughnessFactor": 7}}]
+        scene["meshes"][0]["primitives"][0]["material"] = 0
+        path = self.write_scene("odd.gltf", scene)
+        self.expect_done("inspect", path)
+        result = self.run_command("inspect", path, "--strict")
+        self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+        *lines, last = result.stderr.splitlines()
+        self.assertEqual(len(lines), 2, result.stderr)
+        for line in lines:
+            self.assertRegex(line, r"^ribalta: error: odd\.gltf: /materials/0")
+        self.assertIn("has 2 faults, and --strict allows none", last)
+        self.assertIn("report     2", result.stdout)
+
+    def test_scenes_are_listed_and_chosen(self):
+        scene = make_floor()
+        scene["scenes"] = [{"name": "day", "nodes": [0, 1]}, {"name": "night", "nodes": [0, 1, 2]}]
+        path = self.write_scene("two.gltf", scene)
+        text = self.expect_done("inspect", path).stdout
+        self.assertIn("scenes     2", text)
+        self.assertIn("0 'day', drawn", text)
+        text = self.expect_done("inspect", path, "--scene", "night", "--strict").stdout
+        self.assertIn("1 'night', drawn", text)
+        self.assertIn("spots      1", text)
+        for command in [["inspect", path], ["render", path, "-o", "a.png"],
+                        ["reference", path, "-o", "a.exr"], ["sweep", path, "-o", "sweep"],
+                        ["sweep", path, SCENES / "stage.glb", "-o", "sweep"]]:
+            self.expect_error(USAGE, ["two.gltf", "'dusk'", "0 day, 1 night"], *command,
+                              "--scene", "dusk")
 
     def test_names_stay_on_their_lines(self):
         scene = make_floor()

@@ -13,11 +13,22 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "base/log.h"
 #include "base/progress.h"
 #include "gltf/load_gltf.h"
+#include "loading_options.h"
+#include "options.h"
+#include "process.h"
 
 namespace ribalta {
 namespace {
+
+struct InspectOptions {
+    std::string scene;
+    LoadingOptions loading;
+    bool all = false;
+    bool strict = false;
+};
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
@@ -199,14 +210,43 @@ void printExtensions(const LoadedScene& loaded) {
     }
 }
 
-LoadedScene load(const std::string& path) {
-    const Progress progress("loading");
-    return loadGltf(path);
+// Only where there is something to choose from.
+void printScenes(const LoadedScene& loaded) {
+    const std::size_t count = loaded.sceneNames.size();
+    if (count < 2) {
+        return;
+    }
+    std::printf("scenes     %zu, one is drawn (--scene chooses)\n", count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::printf("  %zu %s%s\n", i, quoted(loaded.sceneNames[i]).c_str(),
+                    int(i) == loaded.sceneIndex ? ", drawn" : "");
+    }
 }
 
-void inspect(const std::string& path, bool all) {
-    const LoadedScene loaded = load(path);
-    std::printf("%s\n", path.c_str());
+LoadedScene load(const std::string& path, const LoadOptions& options) {
+    const Progress progress("loading");
+    return loadGltf(path, options);
+}
+
+// With --strict nothing may be left to say of a file.
+void refuseReported(const std::string& path, const Report& report) {
+    const std::size_t count = report.entries().size();
+    if (count == 0) {
+        return;
+    }
+    for (const Report::Entry& entry : report.entries()) {
+        logError(entry.place.text() + ": " + name(entry.kind) + ": " + entry.message);
+    }
+    throw Error(ErrorKind::kBadInput, {path, ""},
+                "has " + std::to_string(count) + (count == 1 ? " fault" : " faults") +
+                    ", and --strict allows none; mend the file, or leave the option out");
+}
+
+void inspect(const InspectOptions& options) {
+    const LoadedScene loaded = load(options.scene, options.loading.parsed());
+    const bool all = options.all;
+    std::printf("%s\n", options.scene.c_str());
+    printScenes(loaded);
     printGeometry(loaded.scene, all);
     printLamps(loaded.scene);
     printCameras(loaded.scene);
@@ -220,6 +260,10 @@ void inspect(const std::string& path, bool all) {
     for (const LoadedScene::Stage& stage : loaded.stages) {
         std::printf("load       %-10s %9.2f ms\n", stage.name.c_str(), stage.ms);
     }
+    if (options.strict) {
+        finishStdout();
+        refuseReported(options.scene, loaded.report);
+    }
 }
 
 }  // namespace
@@ -227,11 +271,14 @@ void inspect(const std::string& path, bool all) {
 void addInspectCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "inspect", "Says what a scene file holds, and what was ignored or repaired.");
-    const auto path = std::make_shared<std::string>();
-    command->add_option("scene", *path, "glTF scene, .gltf or .glb")->type_name("FILE")->required();
-    const auto all = std::make_shared<bool>(false);
-    command->add_flag("--all", *all, "list every mesh and animation, not only ten");
-    command->callback([path, all] { inspect(*path, *all); });
+    const auto options = std::make_shared<InspectOptions>();
+    addSceneOption(*command, options->scene);
+    options->loading.addTo(*command);
+    command->add_flag("--all", options->all, "list every mesh and animation, not only ten");
+    command->add_flag("--strict", options->strict,
+                      "make every line of the report an error on stderr, and end with exit code 3 "
+                      "where there is one");
+    command->callback([options] { inspect(*options); });
 }
 
 }  // namespace ribalta

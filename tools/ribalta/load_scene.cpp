@@ -24,15 +24,15 @@ void tellOfScene(const LoadedScene& loaded) {
     }
 }
 
-LoadedScene load(const std::string& path) {
+LoadedScene load(const std::string& path, const LoadOptions& options) {
     const Progress progress("loading");
-    return loadGltf(path);
+    return loadGltf(path, options);
 }
 
 }  // namespace
 
-LoadedScene loadScene(const std::string& path) {
-    LoadedScene loaded = load(path);
+LoadedScene loadScene(const std::string& path, const LoadOptions& options) {
+    LoadedScene loaded = load(path, options);
     tellOfScene(loaded);
     return loaded;
 }

@@ -8,7 +8,7 @@
 namespace ribalta {
 
 /// Loads a glTF file; warns of what was mended and of a scene without lamps, tells the rest of the
-/// report with --verbose. Throws Error(kBadInput).
-LoadedScene loadScene(const std::string& path);
+/// report with --verbose. Throws as loadGltf.
+LoadedScene loadScene(const std::string& path, const LoadOptions& options);
 
 }  // namespace ribalta

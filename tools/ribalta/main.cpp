@@ -9,7 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
-#include "base/progress.h"
+#include "base/log.h"
 #include "compare_command.h"
 #include "inspect_command.h"
 #include "process.h"
@@ -28,7 +28,7 @@ constexpr const char* kExitCodes =
     "Exit codes: 0 done, 1 the job failed, 2 wrong usage, 3 bad input file, 4 no usable OpenGL.";
 
 int fail(const std::string& message, int exitCode) {
-    ribalta::Progress::writeLine("ribalta: error: " + ribalta::oneLine(message));
+    ribalta::logError(message);
     return exitCode;
 }
 

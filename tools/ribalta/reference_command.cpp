@@ -17,6 +17,7 @@
 #include "haze_options.h"
 #include "image/write_image.h"
 #include "load_scene.h"
+#include "loading_options.h"
 #include "options.h"
 #include "output_checks.h"
 #include "parse_number.h"
@@ -33,6 +34,7 @@ using Clock = std::chrono::steady_clock;
 
 struct ReferenceOptions {
     std::string scene;
+    LoadingOptions loading;
     std::filesystem::path output;
     std::optional<std::string> camera;
     std::optional<std::string> size;
@@ -126,7 +128,7 @@ void drawReferenceFile(const ReferenceOptions& options) {
     const ReferenceLayers layers = layersFrom(options);
     checkOutput(options.output);
 
-    const LoadedScene loaded = loadScene(options.scene);
+    const LoadedScene loaded = loadScene(options.scene, options.loading.parsed());
     refuseReplacing(options.output, loaded.files);
     settings.camera = chooseCamera(loaded.scene, options.camera, double(size.width) / size.height);
 
@@ -169,6 +171,7 @@ std::string expectError(const std::string& text) {
 
 void addOptions(CLI::App& command, ReferenceOptions& options) {
     addSceneOption(command, options.scene);
+    options.loading.addTo(command);
     command.add_option("-o,--output", options.output, "picture to write: .exr in cd/m2")
         ->type_name("FILE.exr")
         ->required();

@@ -18,6 +18,7 @@
 #include "gl/counters.h"
 #include "haze_options.h"
 #include "load_scene.h"
+#include "loading_options.h"
 #include "look_options.h"
 #include "options.h"
 #include "output_checks.h"
@@ -38,6 +39,7 @@ double msSince(Clock::time_point start) {
 
 struct RenderOptions {
     std::string scene;
+    LoadingOptions loading;
     std::vector<std::filesystem::path> outputs;
     std::optional<std::string> camera;
     LookOptions look;
@@ -206,7 +208,7 @@ void render(RenderOptions& options) {
         checkOutputs(outputs);
     }
 
-    LoadedScene loaded = loadScene(options.scene);
+    LoadedScene loaded = loadScene(options.scene, options.loading.parsed());
     options.animation.pose(loaded.scene, look.time);
     BroughtLook broughtLook(look, loaded);
     if (options.look.file) {
@@ -275,6 +277,7 @@ void render(RenderOptions& options) {
 
 void addPictureOptions(CLI::App& command, RenderOptions& options) {
     addSceneOption(command, options.scene);
+    options.loading.addTo(command);
     command
         .add_option("-o,--output", options.outputs,
                     "picture to write: .png for the screen, .exr in cd/m2; may be given several "

@@ -14,6 +14,7 @@
 #include "gl/context.h"
 #include "haze_options.h"
 #include "interrupts.h"
+#include "loading_options.h"
 #include "look_options.h"
 #include "measure/pessoa2007.h"
 #include "measure/sweep_report.h"
@@ -31,6 +32,7 @@ constexpr const char* kOptionsOfSkies[] = {"--preset", "--sky",    "--size",
 
 struct SweepOptions {
     std::vector<std::string> scenes;
+    LoadingOptions loading;
     std::vector<std::string> cameras;
     std::string planes = "8:1024";
     std::string beams = "all";
@@ -131,13 +133,15 @@ std::vector<std::string> visibilitiesFrom(const std::string& text) {
     return {text};
 }
 
-std::vector<SweepScene> loadScenes(const std::vector<std::string>& paths, const LookOptions& look) {
+std::vector<SweepScene> loadScenes(const std::vector<std::string>& paths,
+                                   const LoadOptions& options, const LookOptions& look) {
     refuseNamesakes(paths);
     std::vector<SweepScene> scenes;
     for (const std::string& path : paths) {
-        scenes.push_back(loadSweepScene(path, look));
+        scenes.push_back(loadSweepScene(path, options, look));
         if (!scenes.back().loaded && paths.size() == 1) {
-            static_cast<void>(loadGltf(path));  // nothing is left to measure: the error itself
+            static_cast<void>(
+                loadGltf(path, options));  // nothing is left to measure: the error itself
         }
     }
     return scenes;
@@ -233,7 +237,8 @@ void sweep(const CLI::App& command, const SweepOptions& options) {
     settings.targetPercent = options.target;
     settings.fresh = options.fresh;
     settings.frames = options.frames;
-    SweepPlan plan = planSweep(loadScenes(options.scenes, options.look), grid);
+    SweepPlan plan =
+        planSweep(loadScenes(options.scenes, options.loading.parsed(), options.look), grid);
 
     const Context context;
     logVerbose("OpenGL: " + context.renderer() + ", " + context.version());
@@ -265,6 +270,7 @@ void addPointOptions(CLI::App& command, SweepOptions& options) {
         .add_option("scenes", options.scenes,
                     "glTF scenes, .gltf or .glb; the preset pinheiro2014 needs none")
         ->type_name("FILE");
+    options.loading.addTo(command);
     command
         .add_option("--camera", options.cameras,
                     "camera, by name or counted from 0, in each scene that has it; several times "

@@ -256,13 +256,21 @@ void bringLook(const LookOptions& options, SweepScene& scene) {
 
 }  // namespace
 
-SweepScene loadSweepScene(const std::string& path, const LookOptions& look) {
+SweepScene loadSweepScene(const std::string& path, const LoadOptions& options,
+                          const LookOptions& look) {
     SweepScene scene;
     scene.path = path;
     try {
-        scene.loaded = loadScene(path);
+        scene.loaded = loadScene(path, options);
         scene.hash = hashScene(readFile(path), scene.loaded->scene);
+        if (options.scene) {
+            // What hangs in it is all the same, and only stands elsewhere.
+            scene.hash += "-" + std::to_string(scene.loaded->sceneIndex);
+        }
     } catch (const Error& error) {
+        if (error.kind() == ErrorKind::kUsage) {
+            throw;
+        }
         scene.loaded.reset();
         scene.wrong = error.what();
     }

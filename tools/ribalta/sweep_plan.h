@@ -39,8 +39,10 @@ struct SweepScene {
 void refuseNamesakes(const std::vector<std::string>& paths);
 
 /// Loads it and brings the look that is given; what is wrong with the scene is kept for its
-/// records. Throws Error(kBadInput) where the look is at fault.
-SweepScene loadSweepScene(const std::string& path, const LookOptions& look);
+/// records. Throws Error(kUsage) where the options ask for a scene that it does not have,
+/// Error(kBadInput) where the look is at fault.
+SweepScene loadSweepScene(const std::string& path, const LoadOptions& options,
+                          const LookOptions& look);
 
 struct PlannedPoint {
     SweepPoint point;

@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "base/temporary_file.h"
 #include "cache_options.h"
+#include "loading_options.h"
 #include "look_options.h"
 #include "options.h"
 #include "viewer/viewer.h"
@@ -17,6 +18,7 @@ namespace {
 
 struct ViewOptions {
     std::string scene;
+    LoadingOptions loading;
     LookOptions look;
     std::optional<std::string> size;
     bool noPanels = false;
@@ -48,6 +50,7 @@ void view(const ViewOptions& options) {
     if (!options.scene.empty()) {
         viewer.scene = options.scene;
     }
+    viewer.loading = options.loading.parsed();
     viewer.look = options.look.read();
     viewer.lookFile = options.look.file.value_or("");
     if (options.size) {
@@ -73,6 +76,7 @@ void addViewCommand(CLI::App& app) {
         ->add_option("scene", options->scene,
                      "glTF scene, .gltf or .glb; without one, drop it on the window")
         ->type_name("FILE");
+    options->loading.addTo(*command);
     options->look.addTo(*command);
     addSizeOption(*command, options->size);
     command->add_flag("--no-panels", options->noPanels,

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gltf_file.h"
+#include "support/expect_error.h"
 
 namespace ribalta::test {
 namespace {
@@ -45,6 +46,34 @@ TEST(GltfNodeTest, OnlyTheDefaultSceneIsLoaded) {
     expectLine(second, Report::Kind::kIgnored, "/scenes", "2 scenes");
     file.json.erase("scene");
     EXPECT_EQ(load(file).scene.nodes.at(0).mesh, 0);
+}
+
+TEST(GltfNodeTest, ASceneIsChosenByNameOrIndex) {
+    GltfFile file = triangleFile();
+    file.push("nodes", {{"name", "other"}});
+    file.json["scenes"][0]["name"] = "first";
+    file.json["scenes"].push_back({{"name", "0"}, {"nodes", {1}}});
+    const TestFolder folder;
+    const std::filesystem::path path = file.writeTo(folder);
+    const auto sceneOf = [&](const std::string& text) {
+        return loadGltf(path, LoadOptions{.scene = text});
+    };
+    EXPECT_EQ(sceneOf("first").scene.name, "first");
+    EXPECT_EQ(sceneOf("1").scene.nodes.at(0).name, "other");
+    // A name goes before an index.
+    EXPECT_EQ(sceneOf("0").sceneIndex, 1);
+    EXPECT_EQ(sceneOf("0").sceneNames, (std::vector<std::string>{"first", "0"}));
+    EXPECT_EQ(reportText(sceneOf("first")), "");
+    for (const char* wrong : {"third", "2", "-1", " 1", "1x", "", "99999999999999999999999"}) {
+        expectError(ErrorKind::kUsage,
+                    {path.string(), std::string(wrong).insert(0, "no scene '"), "0 first, 1 0"},
+                    [&] { sceneOf(wrong); });
+    }
+    file.json.erase("scenes");
+    file.json.erase("scene");
+    file.writeTo(folder);
+    expectError(ErrorKind::kUsage, {"none at all"}, [&] { sceneOf("0"); });
+    EXPECT_EQ(loadGltf(path).sceneIndex, -1);
 }
 
 TEST(GltfNodeTest, WithoutScenesAllRootsAreDrawn) {
