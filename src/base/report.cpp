@@ -14,6 +14,10 @@ void Report::hint(const Place& place, const std::string& message) {
     entries_.push_back({Kind::kHint, place, message});
 }
 
+void Report::append(const Report& other) {
+    entries_.insert(entries_.end(), other.entries_.begin(), other.entries_.end());
+}
+
 const char* name(Report::Kind kind) {
     switch (kind) {
         case Report::Kind::kIgnored:

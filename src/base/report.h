@@ -25,6 +25,9 @@ class Report {
     void repaired(const Place& place, const std::string& message);
     void hint(const Place& place, const std::string& message);
 
+    /// Adds what another one holds.
+    void append(const Report& other);
+
     const std::vector<Entry>& entries() const { return entries_; }
 
   private:

@@ -13,9 +13,13 @@ std::vector<std::string>& errors() {
     return list;
 }
 
-void GLAPIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/,
+void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint /*id*/, GLenum /*severity*/,
                           GLsizei length, const GLchar* message, const void* /*user*/) {
     if (type != GL_DEBUG_TYPE_ERROR && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) {
+        return;
+    }
+    // What a shader's compiler finds wrong is told by whoever compiles, as an Error.
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) {
         return;
     }
     errors().emplace_back(message, std::size_t(length));

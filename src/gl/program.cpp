@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "base/check.h"
+#include "base/error.h"
 #include "gl/counters.h"
 #include "gl/shader_library.h"
 
@@ -20,6 +21,18 @@ GLenum stageOf(const std::string& file) {
     return GL_COMPUTE_SHADER;
 }
 
+// Where the first message points: drivers begin it with the number that #line gave, and the line
+// ("3:12(8): error", "3(12) : error").
+Place placeOf(const std::string& log, const ShaderSource& source, const std::string& file) {
+    std::size_t number = 0;
+    unsigned line = 0;
+    if (std::sscanf(log.c_str(), "%zu%*[:(]%u", &number, &line) == 2 &&
+        number < source.files.size()) {
+        return {source.files[number], "line " + std::to_string(line)};
+    }
+    return {file, ""};
+}
+
 GLuint compile(const std::string& file, const std::vector<std::string>& defines) {
     const ShaderSource source = assembleShader(file, defines);
     const GLuint shader = glCreateShader(stageOf(file));
@@ -29,14 +42,13 @@ GLuint compile(const std::string& file, const std::vector<std::string>& defines)
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_FALSE) {
+        GLsizei length = 0;
         std::string log(8192, '\0');
-        glGetShaderInfoLog(shader, GLsizei(log.size()), nullptr, log.data());
-        std::fprintf(stderr, "%s: does not compile:\n%s\n", file.c_str(), log.c_str());
-        for (std::size_t i = 0; i < source.files.size(); ++i) {
-            std::fprintf(stderr, "source %zu is %s\n", i, source.files[i].c_str());
-        }
+        glGetShaderInfoLog(shader, GLsizei(log.size()), &length, log.data());
+        log.resize(std::size_t(length));
+        glDeleteShader(shader);
+        throw Error(ErrorKind::kBadInput, placeOf(log, source, file), "does not compile: " + log);
     }
-    CHECK(compiled == GL_TRUE);
     return shader;
 }
 
@@ -53,11 +65,12 @@ Program::Program(const std::vector<std::string>& files, const std::vector<std::s
     GLint linked = GL_FALSE;
     glGetProgramiv(name(), GL_LINK_STATUS, &linked);
     if (linked == GL_FALSE) {
+        GLsizei length = 0;
         std::string log(8192, '\0');
-        glGetProgramInfoLog(name(), GLsizei(log.size()), nullptr, log.data());
-        std::fprintf(stderr, "%s: does not link:\n%s\n", files.front().c_str(), log.c_str());
+        glGetProgramInfoLog(name(), GLsizei(log.size()), &length, log.data());
+        log.resize(std::size_t(length));
+        throw Error(ErrorKind::kBadInput, {files.front(), ""}, "does not link: " + log);
     }
-    CHECK(linked == GL_TRUE);
     glObjectLabel(GL_PROGRAM, name(), GLsizei(files.front().size()), files.front().c_str());
     ++glCounters().programsBuilt;
 }

@@ -17,7 +17,8 @@ class Program {
     Program() = default;
     /// Builds from the shader library's files, e.g. {"passes/forward.vert", "passes/forward.frag"};
     /// the stage follows from the ending (.vert, .frag, .comp). `defines` are names switched on.
-    /// A source that does not compile is a bug of ours: the log is printed and the program ends.
+    /// Throws Error(kBadInput) at the first line that does not compile, with what the compiler
+    /// says.
     Program(const std::vector<std::string>& files, const std::vector<std::string>& defines = {});
 
     GLuint name() const { return handle_.name(); }

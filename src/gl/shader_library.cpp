@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/check.h"
+#include "base/read_file.h"
 
 namespace ribalta {
 namespace {
@@ -13,14 +14,27 @@ constexpr const char* kPrologue =
     "#define GLSL 1\n"
     "#define OUT(T) out T\n";
 
-void append(const std::string& file, ShaderSource& source) {
+std::filesystem::path& shaderFolder() {
+    static std::filesystem::path folder;
+    return folder;
+}
+
+std::string textOf(const std::string& file) {
+    if (!shaderFolder().empty()) {
+        const std::vector<std::byte> bytes = readFile(shaderFolder() / file);
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    }
     const auto found = embeddedShaders().find(file);
     CHECK(found != embeddedShaders().end());
+    return std::string(found->second);
+}
+
+void append(const std::string& file, ShaderSource& source) {
     const std::size_t number = source.files.size();
     source.files.push_back(file);
     source.text += "#line 1 " + std::to_string(number) + "\n";
 
-    std::istringstream lines{std::string(found->second)};
+    std::istringstream lines{textOf(file)};
     std::string line;
     for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
         const std::string directive = "#include \"";
@@ -43,6 +57,10 @@ void append(const std::string& file, ShaderSource& source) {
 }
 
 }  // namespace
+
+void readShadersFrom(const std::filesystem::path& folder) {
+    shaderFolder() = folder;
+}
 
 ShaderSource assembleShader(const std::string& file, const std::vector<std::string>& defines) {
     ShaderSource source;

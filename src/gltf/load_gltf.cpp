@@ -113,13 +113,20 @@ void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, R
 
 }  // namespace
 
-LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options) {
+struct GltfLoad::State {
     LoadedScene loaded;
+    Import import;
+    ImageTable images{import};
+};
+
+GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options)
+    : state_(std::make_unique<State>()) {
+    LoadedScene& loaded = state_->loaded;
+    Import& import = state_->import;
     Scene& scene = loaded.scene;
     Report& report = loaded.report;
     Stopwatch watch(loaded.stages);
 
-    Import import;
     import.file = {path.string(), ""};
     import.folder = path.parent_path();
     const Container container = readContainer(readFile(path), import.file);
@@ -151,7 +158,7 @@ LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& optio
     reportDataOddities(import, meshes, report);
     watch.lap("meshes");
 
-    ImageTable images(import);
+    ImageTable& images = state_->images;
     TextureTable textures(import, images);
     loadMaterials(import, textures, scene, report);
     scene.cameras = readCameras(import, list.gltfNodes, report);
@@ -159,14 +166,31 @@ LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& optio
         addLamp(import, list.gltfNodes[i], int(i), images, textures, scene, report);
     }
     scene.textures = textures.textures();
-    scene.images = images.decode(report);
+    scene.images = images.undecoded();
     loaded.files.assign(images.files().begin(), images.files().end());
     loaded.files.push_back(path);
-    watch.lap("images");
-
     reportSceneOddities(import, meshes, scene, report);
     placeNodes(scene);
     watch.lap("place");
+}
+
+GltfLoad::~GltfLoad() = default;
+
+LoadedScene GltfLoad::takeScene() {
+    return std::move(state_->loaded);
+}
+
+Report GltfLoad::decodeImages(const std::function<void(std::size_t, Image)>& take) const {
+    return state_->images.decode(take);
+}
+
+LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options) {
+    GltfLoad load(path, options);
+    LoadedScene loaded = load.takeScene();
+    Stopwatch watch(loaded.stages);
+    loaded.report.append(load.decodeImages(
+        [&](std::size_t index, Image image) { loaded.scene.images[index] = std::move(image); }));
+    watch.lap("images");
     return loaded;
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,5 +37,26 @@ struct LoadedScene {
 /// fault is, and the report says so. Throws Error(kUsage) that lists the file's scenes where the
 /// one asked for is not among them.
 LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// The same in two steps, for who shows the geometry before the pictures are decoded.
+class GltfLoad {
+  public:
+    /// Reads all but the pictures. Throws as loadGltf does.
+    explicit GltfLoad(const std::filesystem::path& path, const LoadOptions& options = {});
+    ~GltfLoad();
+    GltfLoad(const GltfLoad&) = delete;
+    GltfLoad& operator=(const GltfLoad&) = delete;
+
+    /// What was read, to be taken once: Scene::images have names and no pixels yet.
+    LoadedScene takeScene();
+    /// Decodes the pictures in parallel and hands each with its index into Scene::images to
+    /// `take`, from any thread; in the place of one that is missing or broken the visible
+    /// stand-in. Returns what there is to report of them.
+    Report decodeImages(const std::function<void(std::size_t, Image)>& take) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace ribalta

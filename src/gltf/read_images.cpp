@@ -110,30 +110,40 @@ Image ImageTable::decodeOne(const Request& request) const {
     return decodeImage(viewBytes(import_, view.get<std::size_t>()), request.place);
 }
 
-std::vector<Image> ImageTable::decode(Report& report) const {
+std::vector<Image> ImageTable::undecoded() const {
     std::vector<Image> images(requests_.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        images[i].name = requests_[i].name;
+    }
+    return images;
+}
+
+Report ImageTable::decode(const std::function<void(std::size_t, Image)>& take) const {
     std::vector<std::optional<Error>> faults(requests_.size());
     Progress progress("decoding images", requests_.size());
     parallelFor(requests_.size(), [&](std::size_t i) {
+        Image image;
         try {
-            images[i] = decodeOne(requests_[i]);
-            images[i].name = requests_[i].name;
+            image = decodeOne(requests_[i]);
+            image.name = requests_[i].name;
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::kBadInput) {
                 throw;  // no fault of the picture's: the reader of pictures is missing
             }
             faults[i] = error;
-            images[i] = makeStandInImage(requests_[i].name);
+            image = makeStandInImage(requests_[i].name);
         }
+        take(i, std::move(image));
         progress.step();
     });
+    Report report;
     for (const std::optional<Error>& fault : faults) {
         if (fault) {
             report.repaired(fault->place(),
                             reasonOf(*fault) + "; a checkerboard is drawn in its place");
         }
     }
-    return images;
+    return report;
 }
 
 }  // namespace ribalta::gltf

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -25,9 +26,12 @@ class ImageTable {
     /// not a URI.
     int useFile(const std::string& path, const Place& place);
 
-    /// Reads and decodes all that was asked for. One that is missing or broken becomes the visible
-    /// stand-in, and is reported.
-    std::vector<Image> decode(Report& report) const;
+    /// All that was asked for, with names and without pixels.
+    std::vector<Image> undecoded() const;
+    /// Reads and decodes all that was asked for, and hands each with its index to `take`, from any
+    /// thread. One that is missing or broken becomes the visible stand-in; returns what is to be
+    /// reported.
+    Report decode(const std::function<void(std::size_t, Image)>& take) const;
 
     /// The files beside the glTF that were asked for and are there.
     const std::set<std::filesystem::path>& files() const { return files_; }

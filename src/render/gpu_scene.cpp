@@ -101,7 +101,12 @@ std::array<SlotUse, gpu::kMaterialTextures> slotsOf(const Material& material) {
              {&material.emissiveTexture, true}}};
 }
 
-gpu::SurfaceMaterial describeMaterial(const Material& material) {
+bool hasPixels(const Scene& scene, const TextureSlot& slot) {
+    const int image = scene.textures[std::size_t(slot.texture)].image;
+    return !scene.images[std::size_t(image)].pixels.empty();
+}
+
+gpu::SurfaceMaterial describeMaterial(const Scene& scene, const Material& material) {
     gpu::SurfaceMaterial result{};
     result.baseColor = material.baseColor;
     result.emission = glm::vec4(material.emission, material.alphaCutoff);
@@ -111,7 +116,7 @@ gpu::SurfaceMaterial describeMaterial(const Material& material) {
         (material.unlit ? gpu::kUnlitFlag : 0) | (material.doubleSided ? gpu::kDoubleSidedFlag : 0);
     const auto slots = slotsOf(material);
     for (std::size_t t = 0; t < slots.size(); ++t) {
-        if (!*slots[t].slot) {
+        if (!*slots[t].slot || !hasPixels(scene, **slots[t].slot)) {
             continue;
         }
         const TextureSlot& slot = **slots[t].slot;
@@ -182,13 +187,19 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     vertexArray_ = Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_));
 }
 
+void GpuScene::usePictures(const Scene& scene) {
+    uploadMaterials(scene);
+}
+
 void GpuScene::uploadMaterials(const Scene& scene) {
+    samplers_.clear();
+    hasTextures_.clear();
     for (const Texture& texture : scene.textures) {
         samplers_.emplace_back(makeSampler(texture.sampler));
     }
     std::vector<gpu::SurfaceMaterial> materials;
     for (const Material& material : scene.materials) {
-        materials.push_back(describeMaterial(material));
+        materials.push_back(describeMaterial(scene, material));
         hasTextures_.push_back(materials.back().flags.y != 0);
         for (const SlotUse& use : slotsOf(material)) {
             if (*use.slot) {
@@ -197,7 +208,7 @@ void GpuScene::uploadMaterials(const Scene& scene) {
         }
     }
     defaultMaterial_ = int(materials.size());
-    materials.push_back(describeMaterial(Material{}));
+    materials.push_back(describeMaterial(scene, Material{}));
     hasTextures_.push_back(false);
     materials_.write("materials", spreadForUniforms(materials));
 }

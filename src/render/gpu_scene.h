@@ -43,6 +43,10 @@ class GpuScene {
     /// Binds an item's material to its slot and the material's pictures to their units.
     void bindMaterial(const Scene& scene, const DrawItem& item) const;
 
+    /// Uploads pictures that the scene has got since: materials whose pictures have no pixels are
+    /// drawn without them.
+    void usePictures(const Scene& scene);
+
     /// Uploads those light maps of these spots, by index in the scene, that are not there yet, and
     /// lets go of those that no lamp of the scene has any more.
     void useLightMaps(const Scene& scene, const std::vector<int>& spots);

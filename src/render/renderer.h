@@ -47,6 +47,11 @@ class Renderer {
     /// Lets the next call of draw() draw its passes even where nothing changed, as a measurement
     /// needs it. Shadow maps are kept as between any two frames.
     void redrawNextFrame() { drawn_.reset(); }
+    /// Uploads pictures that the scene has got since it was uploaded, and draws all anew.
+    void usePictures() {
+        gpuScene_.usePictures(scene_);
+        forget();
+    }
     /// Draws the next frame and every one of its shadow maps anew.
     void forget() {
         cache_ = {};

@@ -2,79 +2,90 @@
 
 #include <exception>
 #include <new>
-#include <utility>
 
 #include "base/error.h"
 #include "viewer/window.h"
 
 namespace ribalta {
-namespace {
-
-BackgroundLoader::Result read(const std::filesystem::path& path, const LoadOptions& options) {
-    BackgroundLoader::Result result;
-    result.path = path;
-    try {
-        result.scene = loadGltf(path, options);
-    } catch (const std::bad_alloc&) {
-        result.error = path.string() + ": out of memory";
-    } catch (const std::exception& error) {
-        result.error = oneLine(error.what());
-    }
-    return result;
-}
-
-}  // namespace
 
 BackgroundLoader::~BackgroundLoader() = default;
 
-void BackgroundLoader::begin(const std::filesystem::path& path) {
-    reading_ = path;
-    start_ = std::chrono::steady_clock::now();
-    if (!first_) {
-        first_ = path;
+void BackgroundLoader::post(Event event) {
+    {
+        const std::scoped_lock lock(mutex_);
+        events_.push_back(std::move(event));
     }
-    LoadOptions options = options_;
-    if (path != *first_) {
-        options.scene.reset();
-    }
-    thread_ = std::jthread([this, path, options] {
-        Result result = read(path, options);
-        {
-            const std::scoped_lock lock(mutex_);
-            result_ = std::move(result);
-        }
-        Window::wake();
-    });
+    Window::wake();
 }
 
-void BackgroundLoader::load(const std::filesystem::path& path) {
+void BackgroundLoader::readScene(const Request& request, const LoadOptions& options, End& end) {
+    if (request.asAWhole) {
+        post(SceneRead{request.path, loadGltf(request.path, options)});
+        return;
+    }
+    GltfLoad load(request.path, options);
+    post(SceneRead{request.path, load.takeScene()});
+    const auto start = std::chrono::steady_clock::now();
+    end.report = load.decodeImages([&](std::size_t index, Image image) {
+        post(PictureDecoded{index, std::move(image)});
+    });
+    end.imagesMs =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void BackgroundLoader::read(const Request& request, const LoadOptions& options) {
+    End end;
+    end.path = request.path;
+    try {
+        readScene(request, options, end);
+    } catch (const std::bad_alloc&) {
+        end.error = request.path.string() + ": out of memory";
+    } catch (const std::exception& error) {
+        end.error = oneLine(error.what());
+    }
+    post(std::move(end));
+}
+
+void BackgroundLoader::begin(const Request& request) {
+    reading_ = request.path;
+    start_ = std::chrono::steady_clock::now();
+    if (!first_) {
+        first_ = request.path;
+    }
+    LoadOptions options = options_;
+    if (request.path != *first_) {
+        options.scene.reset();
+    }
+    thread_ = std::jthread([this, request, options] { read(request, options); });
+}
+
+void BackgroundLoader::load(const Request& request) {
     if (reading_) {
-        next_ = path;
+        next_ = request;
     } else {
-        begin(path);
+        begin(request);
     }
 }
 
 void BackgroundLoader::reload(const std::filesystem::path& path) {
     if (!next_ && (!reading_ || *reading_ == path)) {
-        load(path);
+        load({path, true});
     }
 }
 
-std::optional<BackgroundLoader::Result> BackgroundLoader::take() {
-    std::optional<Result> result;
+std::vector<BackgroundLoader::Event> BackgroundLoader::take() {
+    std::vector<Event> events;
     {
         const std::scoped_lock lock(mutex_);
-        result = std::exchange(result_, std::nullopt);
+        events = std::exchange(events_, {});
     }
-    if (!result) {
-        return result;
+    if (!events.empty() && std::holds_alternative<End>(events.back())) {
+        reading_.reset();
+        if (next_) {
+            begin(*std::exchange(next_, std::nullopt));
+        }
     }
-    reading_.reset();
-    if (next_) {
-        begin(*std::exchange(next_, std::nullopt));
-    }
-    return result;
+    return events;
 }
 
 double BackgroundLoader::seconds() const {

@@ -1,8 +1,11 @@
 // StageView: a scene with a look on it, and its picture. What the window shows; knows no window.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/file_cache.h"
@@ -50,11 +53,22 @@ class StageView {
         lightMaps_.reload(file, loaded_.scene);
     }
 
+    /// Pictures of the scene that come after it; the look is to be brought again then.
+    void takePictures(std::vector<std::pair<std::size_t, Image>> pictures);
+
     /// Draws, or keeps the picture where nothing changed.
     const FramePlan& draw(const Camera& camera, const FrameSettings& settings);
-    const Renderer& renderer() const { return renderer_; }
+    const Renderer& renderer() const { return *renderer_; }
+    /// For measurements that draw frames of their own; none is there to look at afterwards.
+    Renderer& lendRenderer() {
+        hasPicture_ = false;
+        return *renderer_;
+    }
     /// Times of the passes of the last frame; waits for them.
-    std::vector<PassTime> takeTimes() { return renderer_.takeTimes(); }
+    std::vector<PassTime> takeTimes() { return renderer_->takeTimes(); }
+    /// Makes all programs anew, from the shaders as they are now, and draws the frame with them.
+    /// Throws Error(kBadInput) where one of them is wrong; the old ones are kept then.
+    void renewPrograms(const Camera& camera, const FrameSettings& settings);
 
     /// Whether there is a frame to look at yet.
     bool hasPicture() const { return hasPicture_; }
@@ -74,7 +88,8 @@ class StageView {
     std::vector<LampId> lamps_;
     Bounds bounds_;
     LookLightMaps lightMaps_;
-    Renderer renderer_;
+    const FileCache* cache_;
+    std::unique_ptr<Renderer> renderer_;
     bool hasPicture_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "gl/counters.h"
 #include "gl/debug_output.h"
+#include "gl/shader_library.h"
 #include "look/look_settings.h"
 #include "optics/photometry.h"
 #include "viewer/viewer_loop.h"
@@ -16,6 +17,8 @@
 namespace ribalta {
 namespace {
 
+// How long the first picture waits for pictures on surfaces and in lamps that are still being read.
+constexpr double kPatienceSeconds = 0.2;
 // How long nothing must have moved before the picture is refined.
 constexpr double kRestSeconds = 0.15;
 
@@ -33,6 +36,12 @@ Viewer::Viewer(ViewerOptions options)
     state_.showPanels = options_.showPanels;
     facts_.renderer = window_.renderer();
     stats_.renderer = window_.renderer();
+    if (!options_.shaders.empty()) {
+        readShadersFrom(options_.shaders);
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(options_.shaders)) {
+            shaders_.push_back(entry.path());
+        }
+    }
     if (options_.scene) {
         open(*options_.scene);
     }
@@ -79,6 +88,9 @@ void Viewer::drawStill(const FrameSettings& still) {
     if (!plan.kept) {
         facts_.passes = stage_->takeTimes();
     }
+    if (isComplete_ && stats_.wholePictureMs == 0.0) {
+        stats_.wholePictureMs = 1000.0 * secondsSince(options_.start);
+    }
     facts_.isStill = true;
     facts_.framesPerSecond = 0.0;
     facts_.size = {still.width, still.height};
@@ -86,11 +98,18 @@ void Viewer::drawStill(const FrameSettings& still) {
     facts_.ev100 = stage_->renderer().ev100();
 }
 
+double Viewer::patienceSeconds() const {
+    return isComplete_ ? 0.0 : std::max(0.0, kPatienceSeconds - secondsSince(shownSince_));
+}
+
 void Viewer::drawPicture() {
     const FrameSettings still = stillSettings();
     const bool moves = seenFrom_ != state_.view || seenAs_ != still || lampsSeen_ != lampsNow_;
     // The first picture is drawn as it is to be; after that, what changes is shown at once.
     const bool isFirst = !seenFrom_.has_value();
+    if (isFirst && patienceSeconds() > 0.0) {
+        return;
+    }
     if (moves) {
         movedAt_ = Clock::now();
         failed_ = false;
@@ -157,7 +176,7 @@ double Viewer::secondsToWait() const {
     }
     double seconds = std::numeric_limits<double>::infinity();
     if (stage_ && !facts_.isStill && !failed_ && hasPixels()) {
-        seconds = std::max(1e-3, kRestSeconds - secondsSince(movedAt_));
+        seconds = std::max({1e-3, kRestSeconds - secondsSince(movedAt_), patienceSeconds()});
     }
     for (const ViewerMessage& message : state_.messages) {
         const std::chrono::duration<double> left = message.until - Clock::now();

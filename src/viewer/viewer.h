@@ -23,12 +23,15 @@ struct ViewerOptions {
     std::optional<FileCache> cache;
     bool showPanels = true;          ///< to begin with
     std::filesystem::path pictures;  ///< folder for pictures; empty: where the program runs
+    /// Folder that shaders are read from, anew whenever one changes; empty: those of the build.
+    std::filesystem::path shaders;
 };
 
 /// What a person waited for, and what the window did by itself.
 struct ViewerStats {
     std::string renderer;
     double firstPictureMs = 0.0;           ///< since ViewerOptions::start; 0: none was drawn
+    double wholePictureMs = 0.0;           ///< the same of the first with all the scene's pictures
     std::vector<LoadedScene::Stage> load;  ///< of the first scene
     std::uint64_t picturesDrawn = 0;       ///< of the scene
     std::uint64_t picturesKept = 0;        ///< shown again as they were

@@ -32,23 +32,27 @@ class Viewer {
   private:
     using Clock = std::chrono::steady_clock;
 
-    // Scenes, looks and pictures as files (viewer_files.cpp).
+    // Scenes as files (viewer_scene.cpp).
     void open(const std::filesystem::path& scene);
     void takeLoaded();
     void takeChanged();
     void takeDropped();
     void drop(const std::filesystem::path& file);
-    void show(BackgroundLoader::Result result);
+    void show(BackgroundLoader::SceneRead read);
+    void tellOfEnd(const BackgroundLoader::End& end);
     void beginScene(bool isFirst);
     void continueScene(const std::optional<LampId>& selected);
+    void renewShaders();
+    void watchFiles();
+
+    // The look and pictures as files (viewer_look.cpp).
     void bringLook();
     void carryOut(ViewerRequests requests);
     void saveLook();
-    void loadLook(const std::filesystem::path& file);
-    void reloadLook();
+    void loadLook(const std::filesystem::path& file, bool evenIfKept);
+    void takeLook(Look look, const std::filesystem::path& file);
     void keepUnsavedLook();
     void savePicture();
-    void watchFiles();
 
     // Frames (viewer.cpp).
     void drawInterface();
@@ -56,6 +60,7 @@ class Viewer {
     void drawStill(const FrameSettings& still);
     void drawMoving(const FrameSettings& still);
     void playOn();
+    double patienceSeconds() const;
     double secondsToWait() const;
     std::string busy() const;
     std::string probe() const;
@@ -70,6 +75,9 @@ class Viewer {
     std::unique_ptr<StageView> stage_;
     ViewerState state_;
     std::vector<std::filesystem::path> watched_;  ///< of the scene and its light maps
+    std::vector<std::filesystem::path> shaders_;  ///< files that programs are made of
+    bool isComplete_ = false;                     ///< the scene has all its pictures
+    Clock::time_point shownSince_;                ///< the scene
     Clock::time_point lastFrame_ = Clock::now();
     bool played_ = false;        ///< in the frame before
     Look broughtLook_;           ///< what the scene's lamps are as

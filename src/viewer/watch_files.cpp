@@ -12,16 +12,13 @@
 #include <unistd.h>
 
 #include "base/log.h"
+#include "viewer/paths.h"
 #include "viewer/window.h"
 
 namespace ribalta {
 namespace {
 
 constexpr std::uint32_t kChanges = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE;
-
-std::filesystem::path plain(const std::filesystem::path& path) {
-    return std::filesystem::absolute(path).lexically_normal();
-}
 
 }  // namespace
 
@@ -56,7 +53,7 @@ void FileWatch::watch(const std::vector<std::filesystem::path>& files) {
     files_.clear();
     std::set<std::filesystem::path> folders;
     for (const std::filesystem::path& file : files) {
-        const std::filesystem::path path = plain(file);
+        const std::filesystem::path path = plainPath(file);
         files_.insert(path);
         folders.insert(path.parent_path());
     }

@@ -214,6 +214,8 @@ void Window::showFrame(unsigned picture, glm::ivec2 pictureSize) {
         glBlitNamedFramebuffer(picture, 0, 0, 0, pictureSize.x, pictureSize.y, 0, 0, size.x, size.y,
                                GL_COLOR_BUFFER_BIT, pictureSize == size ? GL_NEAREST : GL_LINEAR);
     }
+    // Dear ImGui puts the program in use back afterwards, which may be gone by then.
+    glUseProgram(0);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
 }

@@ -5,6 +5,7 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import time
@@ -15,6 +16,7 @@ from command import (NO_OPENGL, PROGRAM, SCENES, CommandTest, add_node, make_flo
 from desktop import Desktop, wait_until
 
 WIDTH, HEIGHT = 640, 360
+SHADERS = pathlib.Path(__file__).resolve().parents[2] / "shaders"
 
 
 class WindowTest(CommandTest):
@@ -279,6 +281,48 @@ class LiveReload(WindowTest):
         # A scene and its pictures take some 20 MB: a leak of one would show.
         self.assertLess(reload(20), settled + 10_000)
         self.assertEqual(self.close()["scenes_loaded"], 31)
+
+
+class Arrival(WindowTest):
+    def test_pictures_come_after_the_geometry(self):
+        scene = make_floor()
+        scene["images"] = [{"uri": "large.png"}, {"uri": "missing.png"}]
+        scene["textures"] = [{"source": 0}, {"source": 1}]
+        scene["materials"] = [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+                               "emissiveTexture": {"index": 1}}]
+        scene["meshes"][0]["primitives"][0]["material"] = 0
+        self.write_scene("floor.gltf", scene)
+        # Long in decoding: the geometry is seen before, and what F12 saves is whole all the same.
+        self.write("large.png", make_png(9000, 9000))
+        self.open("floor.gltf")
+        self.save_picture("floor_001.png")
+        self.assertIn("1 pictures of the scene are missing", self.said())
+        self.save_look("floor.look.json")
+        stats = self.close()
+        self.assertLess(stats["first_picture_ms"], stats["whole_picture_ms"])
+        self.expect_same_picture("floor.look.json", "floor_001.png")
+
+
+class Shaders(WindowTest):
+    def test_are_made_anew_when_they_change(self):
+        shutil.copytree(SHADERS, self.folder / "shaders")
+        curve = self.folder / "shaders/passes/tonemap.frag"
+        right = curve.read_text()
+        self.open("floor.gltf", "--shaders", "shaders")
+        before = self.save_picture("floor_001.png")
+        curve.write_text(right.replace("display = vec4(", "display = vec4(0.5) + 0.5 * vec4("))
+        self.expect("shaders are made anew")
+        brighter = self.save_picture("floor_002.png")
+        self.assertNotEqual(before, brighter)
+        curve.write_text(right.replace("void main", "void mean"))
+        self.expect("(the old shaders stay)")
+        curve.write_text(right.replace("display =", "displey ="))
+        self.expect("passes/tonemap.frag: line ")
+        self.assertEqual(self.save_picture("floor_003.png"), brighter)
+        curve.write_text(right)
+        self.expect("shaders are made anew", 2)
+        self.assertEqual(self.save_picture("floor_004.png"), before)
+        self.close()
 
 
 class Idle(WindowTest):

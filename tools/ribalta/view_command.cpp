@@ -23,6 +23,7 @@ struct ViewOptions {
     std::optional<std::string> size;
     bool noPanels = false;
     std::string pictures;
+    std::string shaders;
     std::string stats;
     CacheOptions cache;
     bool verbose = false;
@@ -32,6 +33,7 @@ void writeViewerStats(const std::filesystem::path& path, const ViewerStats& stat
     nlohmann::ordered_json json;
     json["renderer"] = stats.renderer;
     json["first_picture_ms"] = stats.firstPictureMs;
+    json["whole_picture_ms"] = stats.wholePictureMs;
     json["load"] = nlohmann::json::array();
     for (const LoadedScene::Stage& stage : stats.load) {
         json["load"].push_back({{"stage", stage.name}, {"ms", stage.ms}});
@@ -59,6 +61,7 @@ void view(const ViewOptions& options) {
     }
     viewer.showPanels = !options.noPanels;
     viewer.pictures = options.pictures;
+    viewer.shaders = options.shaders;
     viewer.cache = options.cache.cache();
     const ViewerStats stats = runViewer(std::move(viewer));
     if (!options.stats.empty()) {
@@ -85,6 +88,12 @@ void addViewCommand(CLI::App& app) {
         ->add_option("--pictures", options->pictures,
                      "folder for pictures that F12 saves (default: the current one)")
         ->type_name("FOLDER");
+    command
+        ->add_option("--shaders", options->shaders,
+                     "for work on ribalta itself: read the shaders from this folder, and anew "
+                     "whenever one of them changes")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory.description(""));
     command
         ->add_option("--stats", options->stats,
                      "when the window closes, write to this JSON file how long the first picture "
