@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace ribalta {
@@ -21,8 +22,8 @@ Place lineOf(std::string_view text, std::size_t offset, const Place& file) {
 }
 
 // Outside strings only brackets nest; a syntax error elsewhere is found by the parser.
-void checkDepth(std::string_view text, const Place& file) {
-    int depth = 0;
+template <typename Visit>
+void forEachOutsideStrings(std::string_view text, const Visit& visit) {
     bool inString = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -34,16 +35,40 @@ void checkDepth(std::string_view text, const Place& file) {
             }
         } else if (c == '"') {
             inString = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > kMaxJsonDepth) {
-                refuse(lineOf(text, i + 1, file), "JSON is nested deeper than " +
-                                                      std::to_string(kMaxJsonDepth) +
-                                                      " levels; remove such extras");
-            }
-        } else if (c == '}' || c == ']') {
-            --depth;
+        } else {
+            visit(c, i);
         }
     }
+}
+
+// How deep a text is nested, and what it takes once it is parsed.
+struct Extent {
+    std::uint64_t memory = 0;
+    std::optional<std::size_t> tooDeep;  ///< where it is first nested deeper than the limit
+};
+
+Extent measure(std::string_view text, std::uint64_t maxDepth) {
+    constexpr std::uint64_t kValue = 32;      // in an array that has room to grow
+    constexpr std::uint64_t kMember = 96;     // a node of a tree, with a key
+    constexpr std::uint64_t kContainer = 64;  // what an array or object points to
+    Extent extent;
+    extent.memory = text.size() + kContainer;
+    std::uint64_t depth = 0;
+    forEachOutsideStrings(text, [&](char c, std::size_t i) {
+        if (c == ',') {
+            extent.memory += kValue;
+        } else if (c == ':') {
+            extent.memory += kMember;
+        } else if (c == '{' || c == '[') {
+            extent.memory += kContainer;
+            if (++depth > maxDepth && !extent.tooDeep) {
+                extent.tooDeep = i + 1;
+            }
+        } else if ((c == '}' || c == ']') && depth > 0) {
+            --depth;
+        }
+    });
+    return extent;
 }
 
 // The parser's message without its own name and position, which lineOf says better.
@@ -57,8 +82,23 @@ std::string parserReason(const nlohmann::json::exception& error) {
 
 }  // namespace
 
-nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind) {
-    checkDepth(text, file);
+std::uint64_t jsonMemory(std::string_view text) {
+    return measure(text, 0).memory;
+}
+
+nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind,
+                         const JsonLimits& limits) {
+    const Extent extent = measure(text, limits.depth);
+    if (extent.tooDeep) {
+        refuse(lineOf(text, *extent.tooDeep, file), "JSON is nested deeper than " +
+                                                        std::to_string(limits.depth) +
+                                                        " levels; remove such extras");
+    }
+    if (extent.memory > limits.memory) {
+        refuse(file, "holds JSON that takes " + std::to_string(extent.memory) +
+                         " bytes of memory, over the limit of " + std::to_string(limits.memory) +
+                         "; leave something out of it");
+    }
     const std::string cure = "; " + std::string(kind.cure);
     nlohmann::json json;
     try {

@@ -1,6 +1,7 @@
 // Text into JSON: syntax and nesting only; what a kind of file asks of it is its reader's matter.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -9,8 +10,14 @@
 
 namespace ribalta {
 
-/// Deepest nesting of objects and arrays that is accepted: what handles JSON recurses.
-inline constexpr int kMaxJsonDepth = 200;
+/// What a text may ask for; more is refused before it is parsed.
+struct JsonLimits {
+    std::uint64_t depth = 200;             ///< objects and arrays within each other
+    std::uint64_t memory = 1'000'000'000;  ///< bytes, as jsonMemory() has it
+};
+
+/// Bytes that a text takes once it is parsed, at most: a value takes some ten times its text.
+std::uint64_t jsonMemory(std::string_view text);
 
 /// What a text should have been, for its errors.
 struct JsonKind {
@@ -18,8 +25,9 @@ struct JsonKind {
     std::string_view cure;  ///< e.g. "export the file again"
 };
 
-/// Throws Error(kBadInput) with line and column where the text is no JSON object, and where it is
-/// nested deeper than kMaxJsonDepth.
-nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind);
+/// Throws Error(kBadInput) with line and column where the text is no JSON object, or over the
+/// limits.
+nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind,
+                         const JsonLimits& limits = {});
 
 }  // namespace ribalta

@@ -25,9 +25,14 @@ constexpr std::uint16_t kBitstreamVersion = 0x0202;
 
 const char* const kCure = "; export the mesh again";
 
-// How many faces a bitstream claims to hold (Draco bitstream specification 2.2, sections 2, 4, 8).
-// The decoder takes memory for them before it has seen them.
-std::uint64_t claimedFaces(std::span<const std::byte> bytes, const Place& place) {
+// How much a bitstream claims to hold (Draco bitstream specification 2.2, sections 2, 4, 8). The
+// decoder takes memory for it before it has seen it.
+struct Claim {
+    std::uint64_t faces = 0;
+    std::uint64_t vertices = 0;
+};
+
+Claim claimOf(std::span<const std::byte> bytes, const Place& place) {
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     char magic[5] = {};
@@ -64,8 +69,7 @@ std::uint64_t claimedFaces(std::span<const std::byte> bytes, const Place& place)
     if (!read) {
         badInput(place, std::string("is truncated Draco data") + kCure);
     }
-    // A mesh whose faces share nothing has three vertices a face.
-    return std::max<std::uint64_t>(faces, vertices / 3);
+    return {faces, vertices};
 }
 
 std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::byte> bytes, const Place& place) {
@@ -118,7 +122,8 @@ bool isReadable(draco::DataType type) {
     return type == draco::DT_FLOAT32 || (type >= draco::DT_INT8 && type <= draco::DT_UINT32);
 }
 
-DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& request) {
+DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& request,
+                             const Budget& budget) {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(request.id);
     if (attribute == nullptr) {
         badInput(request.place, "is " + std::to_string(request.id) +
@@ -133,6 +138,9 @@ DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& reques
                                     " numbers" + kCure);
     }
     const auto componentBytes = std::size_t(draco::DataTypeLength(type));
+    budget.expectMemory(
+        std::uint64_t(mesh.num_points()) * std::uint64_t(components) * sizeof(float),
+        request.place);
     DracoAttribute result;
     result.components = components;
     result.values.reserve(std::size_t(mesh.num_points()) * std::size_t(components));
@@ -153,15 +161,22 @@ DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& reques
 }  // namespace
 
 DracoMesh decodeDraco(std::span<const std::byte> bytes, std::span<const DracoRequest> requests,
-                      std::size_t expectedFaces, const Place& place) {
+                      std::size_t expectedFaces, const Budget& budget, const Place& place) {
     // Regular meshes take well under a bit a face; garbage claims billions.
-    const std::uint64_t faces = claimedFaces(bytes, place);
+    const Claim claim = claimOf(bytes, place);
+    // A mesh whose faces share nothing has three vertices a face.
+    const std::uint64_t faces = std::max(claim.faces, claim.vertices / 3);
     const std::uint64_t limit = 64 * std::uint64_t(bytes.size()) + 4 * expectedFaces;
     if (faces > limit) {
         badInput(place, "is Draco data that claims " + std::to_string(faces) +
                             " triangles, where the file says " + std::to_string(expectedFaces) +
                             kCure);
     }
+    // The connectivity and one attribute, as the decoder holds them and as they leave it.
+    constexpr std::uint64_t kBytesPerFace = 100;
+    constexpr std::uint64_t kBytesPerVertex = 50;
+    budget.expectVertices(3 * claim.faces + claim.vertices, place);
+    budget.expectMemory(kBytesPerFace * claim.faces + kBytesPerVertex * claim.vertices, place);
     const std::unique_ptr<draco::Mesh> mesh = decodeMesh(bytes, place);
     DracoMesh result;
     result.vertices = mesh->num_points();
@@ -175,7 +190,7 @@ DracoMesh decodeDraco(std::span<const std::byte> bytes, std::span<const DracoReq
         }
     }
     for (const DracoRequest& request : requests) {
-        result.attributes.push_back(readAttribute(*mesh, request));
+        result.attributes.push_back(readAttribute(*mesh, request, budget));
     }
     return result;
 }

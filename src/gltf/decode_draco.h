@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "gltf/budget.h"
 
 namespace ribalta::gltf {
 
@@ -30,8 +31,9 @@ struct DracoMesh {
 };
 
 /// Decodes a triangle mesh of bitstream 2.2. `expectedFaces` is what the glTF says of its size:
-/// data that claims far more is refused before memory is taken. Throws Error(kBadInput).
+/// data that claims far more is refused before memory is taken, and so is what is over the budget.
+/// Throws Error(kBadInput).
 DracoMesh decodeDraco(std::span<const std::byte> bytes, std::span<const DracoRequest> requests,
-                      std::size_t expectedFaces, const Place& place);
+                      std::size_t expectedFaces, const Budget& budget, const Place& place);
 
 }  // namespace ribalta::gltf

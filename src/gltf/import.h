@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <tiny_gltf.h>
 
 #include "base/error.h"
+#include "gltf/budget.h"
 
 namespace ribalta::gltf {
 
@@ -26,6 +28,8 @@ struct Buffer {
 struct Import {
     Place file;                    ///< the file, pointer empty
     std::filesystem::path folder;  ///< what relative URIs are relative to
+    bool allowOutside = false;     ///< whether they may leave it
+    std::unique_ptr<Budget> budget = std::make_unique<Budget>(LoadLimits{});  ///< for all steps
     nlohmann::json json;
     tinygltf::Model model;
     std::vector<Buffer> buffers;

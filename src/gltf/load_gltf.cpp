@@ -1,6 +1,11 @@
 #include "gltf/load_gltf.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <string_view>
 #include <utility>
 
 #include "base/parse_json.h"
@@ -111,32 +116,81 @@ void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, R
     forEachUse([&](int& material) { material = sceneMaterial[std::size_t(material)]; });
 }
 
+// What is taken for the document: once as it is, and once more as tinygltf reads it.
+void takeDocument(const Import& import, std::string_view text) {
+    import.budget->takeMemory(2 * jsonMemory(text), import.file);
+}
+
+void takeModel(const Import& import) {
+    std::uint64_t bytes = 0;
+    const auto add = [&](const char* array, std::size_t each) {
+        bytes += member(import.json, array).size() * each;
+    };
+    add("nodes", sizeof(tinygltf::Node) + sizeof(Node));
+    add("accessors", sizeof(tinygltf::Accessor));
+    add("bufferViews", sizeof(tinygltf::BufferView));
+    add("materials", sizeof(tinygltf::Material) + sizeof(Material));
+    add("textures", sizeof(tinygltf::Texture) + sizeof(Texture));
+    add("samplers", sizeof(tinygltf::Sampler));
+    add("scenes", sizeof(tinygltf::Scene));
+    for (const nlohmann::json& mesh : member(import.json, "meshes")) {
+        bytes += sizeof(tinygltf::Mesh) + sizeof(Mesh);
+        bytes +=
+            member(mesh, "primitives").size() * (sizeof(tinygltf::Primitive) + sizeof(Primitive));
+    }
+    import.budget->takeNodes(member(import.json, "nodes").size(), import.file.at("nodes"));
+    import.budget->takeMemory(bytes, import.file);
+}
+
+// What the libraries underneath throw leaves here as an Error, too.
+template <typename Work>
+auto withTypedErrors(const Place& file, const Work& work) {
+    try {
+        return work();
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorKind::kJobFailed, file,
+                    "needs more memory than there is; close other programs, or simplify it");
+    } catch (const std::exception& error) {
+        throw Error(ErrorKind::kBadInput, file,
+                    std::string("cannot be read (") + error.what() + "); export it again");
+    }
+}
+
 }  // namespace
 
 struct GltfLoad::State {
     LoadedScene loaded;
+    Container container;  // whose bytes the buffers are
     Import import;
     ImageTable images{import};
+
+    void read(const std::filesystem::path& path, const LoadOptions& options);
 };
 
-GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options)
-    : state_(std::make_unique<State>()) {
-    LoadedScene& loaded = state_->loaded;
-    Import& import = state_->import;
+void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions& options) {
     Scene& scene = loaded.scene;
     Report& report = loaded.report;
     Stopwatch watch(loaded.stages);
 
     import.file = {path.string(), ""};
     import.folder = path.parent_path();
-    const Container container = readContainer(readFile(path), import.file);
+    import.allowOutside = options.allowOutside;
+    import.budget = std::make_unique<Budget>(options.limits);
+    container =
+        readContainer(readFile(path, import.budget->memoryLeft()), import.file);
+    import.budget->takeMemory(container.bytes.size(), import.file);
     watch.lap("read");
 
-    import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"});
+    takeDocument(import, container.json);
+    import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"},
+                            {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX});
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
     checkNodes(import.json, import.file, report);
     listExtensions(import.json, loaded);
+    takeModel(import);
     import.model = parseModel(import.json, import.file);
     reportUnread(import, report);
     const ChosenScene chosen = chooseScene(import, options.scene, report);
@@ -146,7 +200,7 @@ GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options
     scene.name = chosen.index < 0 ? "" : chosen.allNames[std::size_t(chosen.index)];
     watch.lap("parse");
 
-    import.buffers = readBuffers(import.json, import.file, import.folder, container.bin);
+    import.buffers = readBuffers(import, container.bin);
     watch.lap("buffers");
 
     readAnimations(import, list, scene, report);
@@ -158,7 +212,6 @@ GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options
     reportDataOddities(import, meshes, report);
     watch.lap("meshes");
 
-    ImageTable& images = state_->images;
     TextureTable textures(import, images);
     loadMaterials(import, textures, scene, report);
     scene.cameras = readCameras(import, list.gltfNodes, report);
@@ -174,6 +227,11 @@ GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options
     watch.lap("place");
 }
 
+GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options)
+    : state_(std::make_unique<State>()) {
+    withTypedErrors({path.string(), ""}, [&] { state_->read(path, options); });
+}
+
 GltfLoad::~GltfLoad() = default;
 
 LoadedScene GltfLoad::takeScene() {
@@ -181,7 +239,7 @@ LoadedScene GltfLoad::takeScene() {
 }
 
 Report GltfLoad::decodeImages(const std::function<void(std::size_t, Image)>& take) const {
-    return state_->images.decode(take);
+    return withTypedErrors(state_->import.file, [&] { return state_->images.decode(take); });
 }
 
 LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options) {

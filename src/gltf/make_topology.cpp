@@ -1,7 +1,5 @@
 #include "gltf/make_topology.h"
 
-#include <cstddef>
-
 namespace ribalta::gltf {
 namespace {
 
@@ -15,16 +13,33 @@ Topology topologyOf(int mode) {
                                : Topology::kTriangles;
 }
 
-std::vector<std::uint32_t> unrollIndices(int mode, std::vector<std::uint32_t> indices) {
-    const std::size_t count = indices.size();
-    std::vector<std::uint32_t> result;
+std::size_t unrolledCount(int mode, std::size_t count) {
     switch (mode) {
         case kLines:
-            indices.resize(count / 2 * 2);
-            return indices;
+            return count / 2 * 2;
         case kTriangles:
-            indices.resize(count / 3 * 3);
-            return indices;
+            return count / 3 * 3;
+        case kLineLoop:
+            return count > 1 ? 2 * count : 0;
+        case kLineStrip:
+            return count > 1 ? 2 * (count - 1) : 0;
+        case kTriangleStrip:
+        case kFan:
+            return count > 2 ? 3 * (count - 2) : 0;
+        default:
+            return count;
+    }
+}
+
+std::vector<std::uint32_t> unrollIndices(int mode, std::vector<std::uint32_t> indices) {
+    const std::size_t count = indices.size();
+    if (mode == kPoints || mode == kLines || mode == kTriangles) {
+        indices.resize(unrolledCount(mode, count));
+        return indices;
+    }
+    std::vector<std::uint32_t> result;
+    result.reserve(unrolledCount(mode, count));
+    switch (mode) {
         case kLineLoop:
         case kLineStrip:
             for (std::size_t i = 1; i < count; ++i) {
@@ -48,7 +63,7 @@ std::vector<std::uint32_t> unrollIndices(int mode, std::vector<std::uint32_t> in
             }
             return result;
         default:
-            return indices;
+            return result;
     }
 }
 

@@ -1,6 +1,7 @@
 // glTF's seven primitive modes (section 3.7.2.1) as the three that are drawn.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace ribalta::gltf {
 
 /// `mode` 0..6: points, lines, loop, strip, triangles, strip, fan.
 Topology topologyOf(int mode);
+
+/// How many indices unrollIndices makes of `count`.
+std::size_t unrolledCount(int mode, std::size_t count);
 
 /// Indices of a mode as indices of its topology, winding kept. What is left over at the end (a
 /// third of a triangle) is dropped.

@@ -136,13 +136,20 @@ void applySparse(const Import& import, const tinygltf::Accessor& accessor, std::
 }
 
 // Calls store(element, bytes) for all of an accessor's elements, sparse replacements last.
-// `reserve` is called once, when the count is known to be affordable.
+// `reserve` is called once, when the count is known to be affordable; it takes four bytes a
+// component.
 template <typename Reserve, typename Store>
-void forEachElement(const Import& import, std::size_t index, int components, const Reserve& reserve,
-                    const Store& store) {
+void forEachElement(const Import& import, std::size_t index, int components,
+                    const Reserve& reserveAffordable, const Store& store) {
     const tinygltf::Accessor& accessor = import.model.accessors.at(index);
     const Place place = import.file.at("accessors").at(index);
     const std::size_t size = componentBytes(accessor.componentType) * std::size_t(components);
+    const auto reserve = [&](std::size_t count) {
+        import.budget->takeReads(count, place);
+        import.budget->expectVertices(count, place);
+        import.budget->expectMemory(4 * std::uint64_t(count) * std::uint64_t(components), place);
+        reserveAffordable(count);
+    };
     if (accessor.bufferView >= 0) {
         const auto view = std::size_t(accessor.bufferView);
         const std::size_t stride = import.model.bufferViews.at(view).byteStride;

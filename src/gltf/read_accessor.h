@@ -1,5 +1,6 @@
 // The one way to numbers in buffers: every accessor, whatever its type, stride, sparseness and
-// normalisation, checked against its buffer before memory is taken.
+// normalisation, checked against its buffer and the budget before memory is
+// taken.
 #pragma once
 
 #include <cstddef>

@@ -154,7 +154,7 @@ void readFromDraco(const Import& import, const tinygltf::Primitive& source, cons
     const std::size_t expectedFaces =
         source.indices >= 0 ? import.model.accessors[std::size_t(source.indices)].count / 3 : 0;
     DracoMesh mesh = decodeDraco(viewBytes(import, view.get<std::size_t>()), wishes.requests,
-                                 expectedFaces, place);
+                                 expectedFaces, *import.budget, place);
     for (std::size_t i = 0; i < wishes.names.size(); ++i) {
         const std::string& name = wishes.names[i];
         const DracoAttribute& attribute = mesh.attributes[i];

@@ -12,31 +12,38 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::byte> readBufferFile(const std::string& uri, const std::filesystem::path& folder,
-                                      const Place& place) {
-    const std::filesystem::path path = resolveUri(uri, folder, place);
+std::vector<std::byte> readBufferFile(const Import& import, const std::string& uri,
+                                      std::uint64_t length, const Place& place) {
+    const std::filesystem::path path = resolveUri(uri, import.folder, place, import.allowOutside);
     try {
-        return readFile(path);
+        return readFile(path, import.budget->memoryLeft(), length);
     } catch (const Error& error) {
         badInput(place, "buffer cannot be read: " + std::string(error.what()));
     }
 }
 
-Buffer readBuffer(const json& buffer, const Place& place, const std::filesystem::path& folder,
+Buffer readBuffer(const Import& import, std::size_t index,
                   std::optional<std::span<const std::byte>> bin) {
+    const json& buffer = element(import.json, "buffers", index);
+    const Place place = import.file.at("buffers").at(index);
+    const auto length = buffer["byteLength"].get<std::uint64_t>();
     Buffer result;
     const json& uri = member(buffer, "uri");
     if (uri.is_string()) {
         const auto& text = uri.get_ref<const std::string&>();
-        result.owned = isDataUri(text) ? decodeDataUri(text, place.at("uri"))
-                                       : readBufferFile(text, folder, place.at("uri"));
+        if (isDataUri(text)) {
+            import.budget->expectMemory(text.size(), place.at("uri"));
+            result.owned = decodeDataUri(text, place.at("uri"));
+        } else {
+            result.owned = readBufferFile(import, text, length, place.at("uri"));
+        }
+        import.budget->takeMemory(result.owned.size(), place);
         result.bytes = result.owned;
     } else if (bin) {
         result.bytes = *bin;
     } else {
         return result;
     }
-    const auto length = buffer["byteLength"].get<std::uint64_t>();
     if (result.bytes.size() < length) {
         badInput(place, "has " + std::to_string(result.bytes.size()) +
                             " bytes, its byteLength is " + std::to_string(length) +
@@ -48,15 +55,13 @@ Buffer readBuffer(const json& buffer, const Place& place, const std::filesystem:
 
 }  // namespace
 
-std::vector<Buffer> readBuffers(const json& root, const Place& file,
-                                const std::filesystem::path& folder,
+std::vector<Buffer> readBuffers(const Import& import,
                                 std::optional<std::span<const std::byte>> bin) {
-    const json& list = member(root, "buffers");
+    const std::size_t count = member(import.json, "buffers").size();
     std::vector<Buffer> buffers;
-    buffers.reserve(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        buffers.push_back(
-            readBuffer(list[i], file.at("buffers").at(i), folder, i == 0 ? bin : std::nullopt));
+    buffers.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        buffers.push_back(readBuffer(import, i, i == 0 ? bin : std::nullopt));
     }
     return buffers;
 }

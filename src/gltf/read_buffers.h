@@ -2,21 +2,18 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "gltf/import.h"
 
 namespace ribalta::gltf {
 
-/// Reads or decodes every buffer; `bin` is the GLB's binary chunk and must outlive the result.
-/// Throws Error(kBadInput) where one is missing or shorter than its byteLength.
-std::vector<Buffer> readBuffers(const nlohmann::json& json, const Place& file,
-                                const std::filesystem::path& folder,
+/// Reads or decodes every buffer; `bin` is the GLB's binary chunk and must outlive the result. Of
+/// `import` neither model nor buffers are used. Throws Error(kBadInput) where one is missing or
+/// shorter than its byteLength, LimitError where they are too much.
+std::vector<Buffer> readBuffers(const Import& import,
                                 std::optional<std::span<const std::byte>> bin);
 
 /// The bytes of a buffer view. Throws Error(kBadInput) where it reaches past its buffer or the file

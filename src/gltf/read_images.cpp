@@ -11,6 +11,8 @@
 #include "gltf/bad_input.h"
 #include "gltf/read_buffers.h"
 #include "gltf/read_uri.h"
+#include "image/claimed_size.h"
+#include "image/image_format.h"
 #include "image/read_image.h"
 
 namespace ribalta::gltf {
@@ -49,7 +51,7 @@ int ImageTable::useImage(std::size_t image) {
             request.name = text;
         }
         try {
-            const std::string file = identityOf(resolveUri(text, import_.folder, place.at("uri")));
+            const std::string file = identityOf(resolve(text, place.at("uri")));
             if (!file.empty()) {
                 key = file;
                 files_.insert(file);
@@ -67,7 +69,8 @@ int ImageTable::useImage(std::size_t image) {
 int ImageTable::useFile(const std::string& path, const Place& place) {
     std::string key = "path " + path;
     try {
-        const std::string file = identityOf(resolvePath(path, import_.folder, place));
+        const std::string file =
+            identityOf(resolvePath(path, import_.folder, place, import_.allowOutside));
         if (!file.empty()) {
             key = file;
             files_.insert(file);
@@ -78,10 +81,29 @@ int ImageTable::useFile(const std::string& path, const Place& place) {
     return use(key, {place, path, -1, path});
 }
 
+std::filesystem::path ImageTable::resolve(const std::string& uri, const Place& place) const {
+    return resolveUri(uri, import_.folder, place, import_.allowOutside);
+}
+
+Image ImageTable::decodeWithin(std::span<const std::byte> encoded, const Place& place) const {
+    const LoadLimits& limits = import_.budget->limits();
+    ImageLimits imageLimits;
+    imageLimits.maxPixels = limits.pixels;
+    const std::optional<ClaimedSize> claimed = claimedSize(encoded, imageFormat(encoded));
+    if (claimed && sizeFault(claimed->width, claimed->height, imageLimits).empty()) {
+        import_.budget->takeMemory(std::uint64_t(claimed->width) * std::uint64_t(claimed->height) *
+                                       std::uint64_t(claimed->bytesPerPixel),
+                                   place);
+    }
+    return decodeImage(encoded, place, imageLimits);
+}
+
 Image ImageTable::decodeOne(const Request& request) const {
     const auto decodeFile = [&](const std::filesystem::path& path, const Place& place) {
         try {
-            return decodeImage(readFile(path), place);
+            return decodeWithin(readFile(path, import_.budget->memoryLeft()), place);
+        } catch (const LimitError&) {
+            throw;
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::kBadInput) {
                 throw;
@@ -93,7 +115,9 @@ Image ImageTable::decodeOne(const Request& request) const {
         }
     };
     if (request.image < 0) {
-        return decodeFile(resolvePath(request.path, import_.folder, request.place), request.place);
+        return decodeFile(
+            resolvePath(request.path, import_.folder, request.place, import_.allowOutside),
+            request.place);
     }
     const json& source = element(import_.json, "images", std::size_t(request.image));
     const json& uri = member(source, "uri");
@@ -101,13 +125,13 @@ Image ImageTable::decodeOne(const Request& request) const {
     if (uri.is_string()) {
         const Place place = request.place.at("uri");
         const auto& text = uri.get_ref<const std::string&>();
-        return isDataUri(text) ? decodeImage(decodeDataUri(text, place), request.place)
-                               : decodeFile(resolveUri(text, import_.folder, place), place);
+        return isDataUri(text) ? decodeWithin(decodeDataUri(text, place), request.place)
+                               : decodeFile(resolve(text, place), place);
     }
     if (view.is_null()) {
         badInput(request.place, "has neither uri nor bufferView; export the file again");
     }
-    return decodeImage(viewBytes(import_, view.get<std::size_t>()), request.place);
+    return decodeWithin(viewBytes(import_, view.get<std::size_t>()), request.place);
 }
 
 std::vector<Image> ImageTable::undecoded() const {
@@ -126,6 +150,8 @@ Report ImageTable::decode(const std::function<void(std::size_t, Image)>& take) c
         try {
             image = decodeOne(requests_[i]);
             image.name = requests_[i].name;
+        } catch (const LimitError&) {
+            throw;
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::kBadInput) {
                 throw;  // no fault of the picture's: the reader of pictures is missing

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ class ImageTable {
     std::vector<Image> undecoded() const;
     /// Reads and decodes all that was asked for, and hands each with its index to `take`, from any
     /// thread. One that is missing or broken becomes the visible stand-in; returns what is to be
-    /// reported.
+    /// reported. Throws LimitError where they are too much.
     Report decode(const std::function<void(std::size_t, Image)>& take) const;
 
     /// The files beside the glTF that were asked for and are there.
@@ -46,6 +47,9 @@ class ImageTable {
 
     int use(const std::string& key, Request request);
     Image decodeOne(const Request& request) const;
+    std::filesystem::path resolve(const std::string& uri, const Place& place) const;
+    /// Within the budget's memory and pixels.
+    Image decodeWithin(std::span<const std::byte> encoded, const Place& place) const;
 
     const Import& import_;
     std::vector<Request> requests_;

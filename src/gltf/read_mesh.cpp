@@ -1,7 +1,6 @@
 #include "gltf/read_mesh.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -72,6 +71,31 @@ void completeTriangles(Primitive& primitive, int normalMapUv) {
     }
 }
 
+// What a primitive of so many vertices and indices takes.
+std::uint64_t bytesOf(const Primitive& primitive, std::uint64_t vertices, std::uint64_t indices) {
+    const auto each = [](const auto& values) { return values.empty() ? 0 : sizeof(values[0]); };
+    return vertices *
+               (each(primitive.positions) + each(primitive.normals) + each(primitive.tangents) +
+                each(primitive.uv0) + each(primitive.uv1) + each(primitive.colors)) +
+           indices * sizeof(std::uint32_t);
+}
+
+// What is made of it on the way: strips become single triangles, those may get vertices of their
+// own for flat normals, and vertices tangents.
+void expectGrowth(const Import& import, int mode, bool wantsTangents, const Primitive& primitive,
+                  const Place& place) {
+    const std::uint64_t indices = unrolledCount(mode, primitive.indices.size());
+    const bool isFlat = topologyOf(mode) == Topology::kTriangles && primitive.normals.empty();
+    const std::uint64_t vertices = isFlat ? indices : primitive.positions.size();
+    // Two directions a vertex in double precision, and the tangent itself.
+    const std::uint64_t forTangents =
+        wantsTangents ? 2 * sizeof(glm::dvec3) + sizeof(glm::vec4) : 0;
+    const std::uint64_t forNormals = isFlat ? sizeof(glm::vec3) : 0;
+    import.budget->expectVertices(vertices + indices, place);
+    import.budget->expectMemory(
+        bytesOf(primitive, vertices, indices) + vertices * (forTangents + forNormals), place);
+}
+
 // Nothing where the primitive draws nothing, which is reported. Throws Error(kBadInput).
 std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs& normalMapUvs,
                                        std::size_t mesh, std::size_t index, Report& report) {
@@ -94,6 +118,10 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
         badInput(place, "has no positions in its Draco data; export the mesh again");
     }
     checkIndices(primitive, place);
+    const std::size_t material =
+        source.material >= 0 ? std::size_t(source.material) : normalMapUvs.size() - 1;
+    const int normalMapUv = normalMapUvs[material];
+    expectGrowth(import, mode, normalMapUv >= 0, primitive, place);
     primitive.topology = topologyOf(mode);
     primitive.indices = unrollIndices(mode, std::move(primitive.indices));
     primitive.material = source.material;
@@ -103,15 +131,16 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
         return std::nullopt;
     }
     if (primitive.topology == Topology::kTriangles) {
-        const std::size_t material =
-            source.material >= 0 ? std::size_t(source.material) : normalMapUvs.size() - 1;
-        completeTriangles(primitive, normalMapUvs[material]);
+        completeTriangles(primitive, normalMapUv);
     } else {
         primitive.tangents.clear();
     }
     for (const glm::vec3& position : primitive.positions) {
         primitive.bounds.add(glm::dvec3(position));
     }
+    const std::size_t vertices = primitive.positions.size();
+    import.budget->takeVertices(vertices + primitive.indices.size(), place);
+    import.budget->takeMemory(bytesOf(primitive, vertices, primitive.indices.size()), place);
     return primitive;
 }
 
@@ -128,22 +157,15 @@ std::vector<Job> listJobs(const Import& import, const std::vector<std::size_t>& 
 }
 
 void runJobs(const Import& import, const NormalMapUvs& normalMapUvs, std::vector<Job>& jobs) {
-    std::atomic<std::uint64_t> taken = 0;
     Progress progress("decoding meshes", jobs.size());
     parallelFor(jobs.size(), [&](std::size_t i) {
         Job& job = jobs[i];
         try {
             job.result = readPrimitive(import, normalMapUvs, job.mesh, job.primitive, job.report);
+        } catch (const LimitError&) {
+            throw;
         } catch (const Error& error) {
             job.fault = error;
-        }
-        if (job.result) {
-            taken += job.result->positions.size() + job.result->indices.size();
-        }
-        if (taken > kMaxVerticesAndIndices) {
-            badInput(import.file.at("meshes").at(job.mesh),
-                     "with this mesh the file has over " + std::to_string(kMaxVerticesAndIndices) +
-                         " vertices and indices, the most that are read; split the scene");
         }
         progress.step();
     });

@@ -9,15 +9,12 @@
 
 namespace ribalta::gltf {
 
-/// Most vertices and indices of all primitives together.
-inline constexpr std::uint64_t kMaxVerticesAndIndices = std::uint64_t(1) << 27U;
-
 /// Which texture coordinates a material's normal map uses: -1 none, 0, 1. One a material, and one
 /// more at the end for primitives without a material.
 using NormalMapUvs = std::vector<int>;
 
 /// The meshes of the file listed in `wanted`, in that order, decoded in parallel. Materials are the
-/// file's indices. A primitive that cannot be drawn is left out and reported.
+/// file's indices. A primitive that cannot be drawn is left out and reported. Throws LimitError.
 std::vector<Mesh> readMeshes(const Import& import, const std::vector<std::size_t>& wanted,
                              const NormalMapUvs& normalMapUvs, Report& report);
 

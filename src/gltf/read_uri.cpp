@@ -136,29 +136,32 @@ std::vector<std::byte> decodeDataUri(std::string_view uri, const Place& place) {
 }
 
 std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder,
-                                 const Place& place) {
+                                 const Place& place, bool allowOutside) {
     const std::string_view scheme = schemeOf(uri);
     if (!scheme.empty()) {
         badInput(place, "is " + shortened(uri) + ": \"" + std::string(scheme) +
                             ":\" is not read; put the file beside the scene and name it by a "
                             "relative path");
     }
-    return resolvePath(percentDecode(uri), folder, place);
+    return resolvePath(percentDecode(uri), folder, place, allowOutside);
 }
 
 std::filesystem::path resolvePath(const std::string& path, const std::filesystem::path& folder,
-                                  const Place& place) {
+                                  const Place& place, bool allowOutside) {
     const std::string cure =
-        "; put the file beside the scene or below and name it by a relative "
-        "path";
+        "; put the file beside the scene or below and name it by a relative path, or allow what "
+        "lies outside (--allow-outside)";
     if (path.empty() || path.find('\0') != std::string::npos) {
         badInput(place, "is " + shortened(path) + ", which names no file" + cure);
     }
+    const std::filesystem::path base = folder.empty() ? std::filesystem::path(".") : folder;
     const std::filesystem::path relative(path);
+    if (allowOutside) {
+        return base / relative;
+    }
     if (relative.is_absolute() || path[0] == '\\' || !schemeOf(path).empty()) {
         badInput(place, "is " + shortened(path) + ", not a relative path" + cure);
     }
-    const std::filesystem::path base = folder.empty() ? std::filesystem::path(".") : folder;
     std::error_code failed;
     const auto root = std::filesystem::weakly_canonical(base, failed);
     const auto target = failed ? std::filesystem::path()

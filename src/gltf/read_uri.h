@@ -20,10 +20,10 @@ std::vector<std::byte> decodeDataUri(std::string_view uri, const Place& place);
 /// The file that a relative URI names. Throws Error(kBadInput) where it is absolute, has a scheme
 /// such as http:, or leaves the folder, also by way of symbolic links.
 std::filesystem::path resolveUri(std::string_view uri, const std::filesystem::path& folder,
-                                 const Place& place);
+                                 const Place& place, bool allowOutside = false);
 
 /// The same for a plain path, as artists write it into custom properties: nothing is decoded.
 std::filesystem::path resolvePath(const std::string& path, const std::filesystem::path& folder,
-                                  const Place& place);
+                                  const Place& place, bool allowOutside = false);
 
 }  // namespace ribalta::gltf

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-// JSON is nested at most kMaxJsonDepth deep, so recursion is.
+// JSON is nested at most kMaxNesting deep, so recursion is.
 void tallyExtensions(const json& value, const Where& where, Tally& tally) {
     if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i) {

@@ -1,9 +1,11 @@
 #include "image/read_image.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/read_file.h"
+#include "image/claimed_size.h"
 #include "image/essential_chunks.h"
 #include "image/image_codec.h"
 #include "image/image_format.h"
@@ -29,6 +31,11 @@ Result decodeBy(std::string (*ImageCodec::*decode)(std::span<const std::byte>, I
     const ImageFormat format = knownFormat(encoded, place);
     const EssentialChunks essential = essentialChunks(encoded, format);
     std::string wrong = essential.wrong;
+    // Libraries take memory for a size that is merely claimed, some as soon as a file is opened.
+    const std::optional<ClaimedSize> claimed = claimedSize(encoded, format);
+    if (wrong.empty() && claimed) {
+        wrong = sizeFault(claimed->width, claimed->height, limits);
+    }
     Result result;
     if (wrong.empty()) {
         const std::span<const std::byte> whole =

@@ -2,20 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <span>
 
 #include "base/error.h"
 #include "image/image.h"
+#include "image/image_limits.h"
 
 namespace ribalta {
-
-/// Largest picture that is decoded; a larger one is refused before memory is taken.
-struct ImageLimits {
-    int maxSide = 32768;                               ///< pixels
-    std::uint64_t maxPixels = std::uint64_t(1) << 28;  ///< width * height
-};
 
 /// Decodes a whole encoded picture (PNG, JPEG, WebP, EXR, HDR, ...; by its content, not its name).
 /// Throws Error(kBadInput) at `place` where it is broken, over the limits or of no known format.

@@ -99,6 +99,12 @@ class WrongUsage(CommandTest):
         self.expect_option(["--K", "gibbons"], "--K", "2", "--phase", "isotropic")
         self.expect_option(["--aov", "-o FILE.exr"], "--aov", "depth")
 
+    def test_limits(self):
+        for text in ["8G", "memory", "memory=", "memory=0", "memory=-1", "memory=8T", "disk=1G",
+                     "memory=1G,memory=2G", "memory=1G,", "nesting=1001", "memory=99999999999G",
+                     "pixels=1.5M"]:
+            self.expect_option(["--limits", "nesting=1..1000"], f"--limits={text}")
+
     def test_option_without_value(self):
         self.expect_option(["--haze="], "--haze=")
         self.write_scene("floor.gltf", make_floor())
@@ -136,6 +142,13 @@ class WrongInput(CommandTest):
         for length in [11, 20, 5000, len(whole) - 1]:
             path = self.write("cut.glb", whole[:length])
             self.expect_bad(["cut.glb", "truncated" if length > 11 else ""], path)
+
+    def test_over_the_limits(self):
+        path = self.write_scene("floor.gltf", make_floor())
+        self.expect_done("inspect", path, "--limits", "memory=1M,vertices=12,nodes=3,pixels=1")
+        for limits in ["memory=1K", "vertices=11", "nodes=2", "nesting=5"]:
+            self.expect_error(BAD_INPUT, ["floor.gltf", "limit" if "nest" not in limits else
+                                          "deeper than 5"], "inspect", path, "--limits", limits)
 
     def test_place_within_the_file(self):
         scene = make_floor()

@@ -12,13 +12,16 @@ class App;
 
 namespace ribalta {
 
-/// The option --scene. Must outlive the parsing of the command it is added to.
+/// The options --scene, --limits and --allow-outside. Must outlive the parsing of the command it is
+/// added to.
 struct LoadingOptions {
     std::optional<std::string> scene;
+    std::optional<std::string> limits;
+    bool allowOutside = false;
 
     void addTo(CLI::App& command);
 
-    /// As given.
+    /// As given. Throws CLI::ValidationError that says what was expected.
     LoadOptions parsed() const;
 };
 

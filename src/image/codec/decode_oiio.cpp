@@ -210,15 +210,9 @@ std::vector<std::byte> asBytes(const std::vector<T>& values) {
 }  // namespace
 
 void checkSize(std::int64_t width, std::int64_t height, const ImageLimits& limits) {
-    if (width <= 0 || height <= 0) {
-        throw std::runtime_error("has no pixels");
-    }
-    const auto pixels = std::uint64_t(width) * std::uint64_t(height);
-    if (width > limits.maxSide || height > limits.maxSide || pixels > limits.maxPixels) {
-        throw std::runtime_error("has " + std::to_string(width) + " x " + std::to_string(height) +
-                                 " pixels, over the limit of " + std::to_string(limits.maxSide) +
-                                 " a side and " + std::to_string(limits.maxPixels) +
-                                 " in all; scale it down");
+    const std::string fault = sizeFault(width, height, limits);
+    if (!fault.empty()) {
+        throw std::runtime_error(fault);
     }
 }
 

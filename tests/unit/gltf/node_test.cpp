@@ -56,7 +56,9 @@ TEST(GltfNodeTest, ASceneIsChosenByNameOrIndex) {
     const TestFolder folder;
     const std::filesystem::path path = file.writeTo(folder);
     const auto sceneOf = [&](const std::string& text) {
-        return loadGltf(path, LoadOptions{.scene = text});
+        LoadOptions options;
+        options.scene = text;
+        return loadGltf(path, options);
     };
     EXPECT_EQ(sceneOf("first").scene.name, "first");
     EXPECT_EQ(sceneOf("1").scene.nodes.at(0).name, "other");

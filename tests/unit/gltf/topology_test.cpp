@@ -19,6 +19,16 @@ TEST(TopologyTest, ModesUnroll) {
     EXPECT_EQ(gltf::unrollIndices(6, {0, 1, 2, 3}), (Indices{1, 2, 0, 2, 3, 0}));
 }
 
+TEST(TopologyTest, CountsAreKnownBeforehand) {
+    for (int mode = 0; mode <= 6; ++mode) {
+        for (std::size_t count = 0; count < 10; ++count) {
+            EXPECT_EQ(gltf::unrollIndices(mode, Indices(count)).size(),
+                      gltf::unrolledCount(mode, count))
+                << mode << " " << count;
+        }
+    }
+}
+
 TEST(TopologyTest, TooFewVerticesMakeNothing) {
     for (const int mode : {1, 2, 3, 4, 5, 6}) {
         EXPECT_TRUE(gltf::unrollIndices(mode, {}).empty()) << mode;
