@@ -138,6 +138,30 @@ class Inspect(CommandTest):
         self.assertIn("has 2 faults, and --strict allows none", last)
         self.assertIn("report     2", result.stdout)
 
+    def test_a_table_of_many_files(self):
+        (self.folder / "below").mkdir()
+        fine = self.write_scene("b fine.gltf", make_floor())
+        odd = make_floor()
+        odd["nodes"][0]["rotation"] = [0, 0, 0, 0]
+        self.write_scene("below/a.GLTF", odd)
+        self.write("c.glb", b"glTF")
+        self.write("notes.txt", b"no scene")
+        result = self.expect_done("inspect", "--table", ".")
+        rows = [line.split("\t") for line in result.stdout.splitlines()]
+        self.assertEqual([row[:2] for row in rows], [
+            ["./b fine.gltf", "loaded"], ["./below/a.GLTF", "reported"], ["./c.glb", "refused"]])
+        self.assertEqual(rows[0][2], "")
+        self.assertRegex(rows[1][2], "^repaired: /nodes/0/rotation: ")
+        self.assertRegex(rows[2][2], "^is a GLB cut off")
+        self.assertIn("3 files: 1 loaded, 1 with something to report, 1 refused", result.stderr)
+        self.expect_error(BAD_INPUT, ["3 files: 1 loaded"], "inspect", "--strict", "--table", ".")
+        self.expect_done("inspect", "--strict", "--table", fine)
+        (self.folder / "below/empty").mkdir()
+        self.expect_error(BAD_INPUT, ["below/empty", "no .gltf"], "inspect", "--table",
+                          "below/empty")
+        self.expect_error(USAGE, ["scene"], "inspect")
+        self.expect_error(USAGE, ["--table"], "inspect", fine, "--table", fine)
+
     def test_scenes_are_listed_and_chosen(self):
         scene = make_floor()
         scene["scenes"] = [{"name": "day", "nodes": [0, 1]}, {"name": "night", "nodes": [0, 1, 2]}]

@@ -17,7 +17,7 @@
 #include "base/progress.h"
 #include "gltf/load_gltf.h"
 #include "loading_options.h"
-#include "options.h"
+#include "outcome_table.h"
 #include "process.h"
 
 namespace ribalta {
@@ -25,9 +25,11 @@ namespace {
 
 struct InspectOptions {
     std::string scene;
+    bool isSceneGiven = false;
     LoadingOptions loading;
     bool all = false;
     bool strict = false;
+    std::vector<std::string> table;
 };
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
@@ -242,7 +244,28 @@ void refuseReported(const std::string& path, const Report& report) {
                     ", and --strict allows none; mend the file, or leave the option out");
 }
 
+void inspectMany(const InspectOptions& options) {
+    const OutcomeCounts counts = printOutcomes(options.table, options.loading.parsed());
+    finishStdout();
+    const std::size_t count = counts.loaded + counts.reported + counts.refused;
+    const std::string summary = std::to_string(count) + (count == 1 ? " file: " : " files: ") +
+                                std::to_string(counts.loaded) + " loaded, " +
+                                std::to_string(counts.reported) + " with something to report, " +
+                                std::to_string(counts.refused) + " refused";
+    if (options.strict && counts.loaded < count) {
+        throw Error(ErrorKind::kBadInput, {}, summary);
+    }
+    logNote(summary);
+}
+
 void inspect(const InspectOptions& options) {
+    if (!options.table.empty()) {
+        inspectMany(options);
+        return;
+    }
+    if (!options.isSceneGiven) {
+        throw CLI::RequiredError("scene");
+    }
     const LoadedScene loaded = load(options.scene, options.loading.parsed());
     const bool all = options.all;
     std::printf("%s\n", options.scene.c_str());
@@ -272,13 +295,25 @@ void addInspectCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand(
         "inspect", "Says what a scene file holds, and what was ignored or repaired.");
     const auto options = std::make_shared<InspectOptions>();
-    addSceneOption(*command, options->scene);
+    CLI::Option* const scene =
+        command->add_option("scene", options->scene, "glTF scene, .gltf or .glb")
+            ->type_name("FILE");
+    command
+        ->add_option("--table", options->table,
+                     "instead of one scene: load all of these files, and the .gltf and .glb in "
+                     "these folders and below; print path, outcome (loaded, reported, refused) "
+                     "and first message of each, parted by tabs")
+        ->type_name("FILE|FOLDER")
+        ->excludes(scene);
     options->loading.addTo(*command);
     command->add_flag("--all", options->all, "list every mesh and animation, not only ten");
     command->add_flag("--strict", options->strict,
                       "make every line of the report an error on stderr, and end with exit code 3 "
                       "where there is one");
-    command->callback([options] { inspect(*options); });
+    command->callback([options, scene] {
+        options->isSceneGiven = scene->count() > 0;
+        inspect(*options);
+    });
 }
 
 }  // namespace ribalta
