@@ -14,6 +14,9 @@ if(RIBALTA_SANITIZE)
     target_compile_options(ribalta_options INTERFACE -Wno-error -fsanitize=address,undefined
                                                      -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(ribalta_options INTERFACE -fsanitize=address,undefined)
+    if(RIBALTA_FUZZ)
+        target_compile_options(ribalta_options INTERFACE -fsanitize=fuzzer-no-link)
+    endif()
     # Undefined behaviour is looked for in the program and not in the tests' own code, whose
     # compilation would take half as long again. Linked after ribalta_options.
     add_library(ribalta_tests_own_code INTERFACE)
