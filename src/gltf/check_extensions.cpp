@@ -14,10 +14,10 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view kSupported[] = {
-    "EXT_texture_webp",      "KHR_draco_mesh_compression",
-    "KHR_lights_punctual",   "KHR_materials_emissive_strength",
-    "KHR_materials_unlit",   "KHR_mesh_quantization",
-    "KHR_texture_transform",
+    "EXT_meshopt_compression",         "EXT_texture_webp",
+    "KHR_draco_mesh_compression",      "KHR_lights_punctual",
+    "KHR_materials_emissive_strength", "KHR_materials_unlit",
+    "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 struct Version {

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "gltf/budget.h"
+#include "gltf/read_packed_views.h"
 
 namespace ribalta::gltf {
 
@@ -33,6 +34,7 @@ struct Import {
     nlohmann::json json;
     tinygltf::Model model;
     std::vector<Buffer> buffers;
+    PackedViews packed;
 };
 
 /// The element `index` of a top-level array, or of nothing, as an object to look things up in.

@@ -201,6 +201,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     watch.lap("parse");
 
     import.buffers = readBuffers(import, container.bin);
+    import.packed = findPackedViews(import.json);
     watch.lap("buffers");
 
     readAnimations(import, list, scene, report);

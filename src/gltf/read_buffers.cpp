@@ -5,6 +5,7 @@
 
 #include "base/read_file.h"
 #include "gltf/bad_input.h"
+#include "gltf/read_packed_views.h"
 #include "gltf/read_uri.h"
 
 namespace ribalta::gltf {
@@ -60,13 +61,21 @@ std::vector<Buffer> readBuffers(const Import& import,
     const std::size_t count = member(import.json, "buffers").size();
     std::vector<Buffer> buffers;
     buffers.reserve(count);
+    const std::vector<char> fallback = findFallbackBuffers(import.json);
     for (std::size_t i = 0; i < count; ++i) {
+        if (fallback[i] != 0) {
+            buffers.emplace_back();
+            continue;
+        }
         buffers.push_back(readBuffer(import, i, i == 0 ? bin : std::nullopt));
     }
     return buffers;
 }
 
 std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferView) {
+    if (isPacked(import, bufferView)) {
+        return packedBytes(import, bufferView);
+    }
     const tinygltf::BufferView& view = import.model.bufferViews.at(bufferView);
     const std::span<const std::byte> bytes = import.buffers.at(std::size_t(view.buffer)).bytes;
     const Place place = import.file.at("bufferViews").at(bufferView);

@@ -10,14 +10,15 @@
 
 namespace ribalta::gltf {
 
-/// Reads or decodes every buffer; `bin` is the GLB's binary chunk and must outlive the result. Of
-/// `import` neither model nor buffers are used. Throws Error(kBadInput) where one is missing or
-/// shorter than its byteLength, LimitError where they are too much.
+/// Reads or decodes every buffer; `bin` is the GLB's binary chunk and must outlive the result.
+/// Buffers that only stand in for packed views stay empty. Of `import` neither model nor buffers
+/// are used. Throws Error(kBadInput) where one is missing or shorter than its byteLength,
+/// LimitError where they are too much.
 std::vector<Buffer> readBuffers(const Import& import,
                                 std::optional<std::span<const std::byte>> bin);
 
-/// The bytes of a buffer view. Throws Error(kBadInput) where it reaches past its buffer or the file
-/// gives that buffer no data.
+/// The bytes of a buffer view, unpacked where it is packed. Throws Error(kBadInput) where it
+/// reaches past its buffer or the file gives that buffer no data.
 std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferView);
 
 }  // namespace ribalta::gltf

@@ -45,7 +45,7 @@ std::optional<int> viewWithoutData(const Import& import, const tinygltf::Primiti
     const auto lacksData = [&](int accessor) {
         const int view = import.model.accessors[std::size_t(accessor)].bufferView;
         const auto& views = import.model.bufferViews;
-        return view >= 0 &&
+        return view >= 0 && !isPacked(import, std::size_t(view)) &&
                import.buffers[std::size_t(views[std::size_t(view)].buffer)].bytes.empty();
     };
     if (source.indices >= 0 && lacksData(source.indices)) {
@@ -144,6 +144,26 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
     return primitive;
 }
 
+// The accessors of all jobs.
+std::vector<std::size_t> listAccessors(const Import& import, const std::vector<Job>& jobs) {
+    std::vector<std::size_t> accessors;
+    for (const Job& job : jobs) {
+        const tinygltf::Primitive& source = import.model.meshes[job.mesh].primitives[job.primitive];
+        if (source.indices >= 0) {
+            accessors.push_back(std::size_t(source.indices));
+        }
+        for (const auto& [name, accessor] : source.attributes) {
+            accessors.push_back(std::size_t(accessor));
+        }
+        for (const auto& target : source.targets) {
+            for (const auto& [name, accessor] : target) {
+                accessors.push_back(std::size_t(accessor));
+            }
+        }
+    }
+    return accessors;
+}
+
 std::vector<Job> listJobs(const Import& import, const std::vector<std::size_t>& wanted) {
     std::vector<Job> jobs;
     for (const std::size_t mesh : wanted) {
@@ -187,6 +207,7 @@ void checkSomethingIsLeft(const std::vector<Job>& jobs) {
 std::vector<Mesh> readMeshes(const Import& import, const std::vector<std::size_t>& wanted,
                              const NormalMapUvs& normalMapUvs, Report& report) {
     std::vector<Job> jobs = listJobs(import, wanted);
+    unpackViews(import, listAccessors(import, jobs));
     runJobs(import, normalMapUvs, jobs);
     checkSomethingIsLeft(jobs);
     std::vector<Mesh> meshes(wanted.size());

@@ -59,13 +59,13 @@ TEST(GltfReportTest, ExtensionsAreToldOnceEach) {
                "EXT_lights_ies");
 }
 
-TEST(GltfReportTest, MeshoptWithFallbackDataIsDrawnFromIt) {
+TEST(GltfReportTest, UnknownCompressionWithFallbackDataIsDrawnFromIt) {
     GltfFile file = triangleFile();
-    file.json["extensionsUsed"] = {"EXT_meshopt_compression"};
-    file.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+    file.json["extensionsUsed"] = {"KHR_meshopt_compression"};
+    file.json["bufferViews"][0]["extensions"]["KHR_meshopt_compression"] = {{"buffer", 0}};
     const LoadedScene loaded = load(file);
     EXPECT_EQ(onlyPrimitive(loaded).positions.size(), 3U);
-    expectLine(loaded, Report::Kind::kIgnored, "/bufferViews/0/extensions/EXT_meshopt_compression",
+    expectLine(loaded, Report::Kind::kIgnored, "/bufferViews/0/extensions/KHR_meshopt_compression",
                "not supported");
 }
 
