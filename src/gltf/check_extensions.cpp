@@ -13,11 +13,18 @@ namespace {
 
 using nlohmann::json;
 
+// And which file reads it.
 constexpr std::string_view kSupported[] = {
-    "EXT_meshopt_compression",         "EXT_texture_webp",
-    "KHR_draco_mesh_compression",      "KHR_lights_punctual",
-    "KHR_materials_emissive_strength", "KHR_materials_unlit",
-    "KHR_mesh_quantization",           "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing",          // add_instances
+    "EXT_meshopt_compression",          // read_packed_views
+    "EXT_texture_webp",                 // read_images
+    "KHR_draco_mesh_compression",       // read_attributes
+    "KHR_lights_punctual",              // read_light
+    "KHR_materials_emissive_strength",  // read_material
+    "KHR_materials_unlit",              // read_material
+    "KHR_mesh_quantization",            // read_accessor
+    "KHR_node_visibility",              // read_nodes
+    "KHR_texture_transform",            // read_material
 };
 
 struct Version {

@@ -25,9 +25,21 @@ const JsonRule kAssetRules[] = {
     {.key = "minVersion", .is = Is::kString},
 };
 const JsonRule kSceneRules[] = {kName, {.key = "nodes", .is = Is::kIndices, .into = "nodes"}};
+const JsonRule kVisibilityRules[] = {
+    {.key = "visible", .is = Is::kBool, .onFault = On::kRepair},
+};
+const JsonRule kNodeExtensionRules[] = {
+    {.key = "KHR_node_visibility",
+     .is = Is::kObject,
+     .onFault = On::kRepair,
+     .members = kVisibilityRules},
+};
 const JsonRule kNodeRules[] = {
     kName,
-    kExtensions,
+    {.key = "extensions",
+     .is = Is::kObject,
+     .onFault = On::kRepair,
+     .members = kNodeExtensionRules},
     {.key = "children", .is = Is::kIndices, .into = "nodes"},
     {.key = "mesh", .is = Is::kIndex, .into = "meshes"},
     {.key = "camera", .is = Is::kIndex, .into = "cameras"},

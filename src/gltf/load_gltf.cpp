@@ -10,6 +10,7 @@
 
 #include "base/parse_json.h"
 #include "base/read_file.h"
+#include "gltf/add_instances.h"
 #include "gltf/check_extensions.h"
 #include "gltf/check_json.h"
 #include "gltf/check_nodes.h"
@@ -206,6 +207,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
 
     readAnimations(import, list, scene, report);
     leaveOutVanished(list, scene.movers, import, report);
+    addInstances(import, list, report);
     scene.nodes = std::move(list.nodes);
     watch.lap("animations");
 

@@ -10,6 +10,8 @@
 namespace ribalta::gltf {
 namespace {
 
+constexpr const char* kVisibility = "KHR_node_visibility";
+
 bool isUsable(const glm::dmat4& matrix) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
@@ -121,6 +123,8 @@ NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, 
         node.parent = parent;
         node.parentFromLocal = transformOf(source, import.file.at("nodes").at(index), report);
         node.mesh = source.mesh;
+        node.visible = member(extension(element(import.json, "nodes", index), kVisibility),
+                              "visible") != false;
         const auto self = int(list.nodes.size());
         list.nodes.push_back(std::move(node));
         list.gltfNodes.push_back(index);

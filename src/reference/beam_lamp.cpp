@@ -29,7 +29,7 @@ std::optional<Interval> clipToSphere(const glm::dvec3& origin, const glm::dvec3&
 BeamLamp::BeamLamp(const SpotLight& spot, int spotIndex, const LightMapPyramid* itsLightMap)
     : light(spot),
       index(spotIndex),
-      candela(glm::dvec3(spot.color) * spot.intensityCandela),
+      candela(spot.shown ? glm::dvec3(spot.color) * spot.intensityCandela : glm::dvec3(0.0)),
       inverseRange(1.0 / spot.rangeMetres),
       lightMap(itsLightMap) {
     const double outer = glm::clamp(light.outerConeAngle, kMinConeAngle, kMaxConeAngle);

@@ -25,7 +25,7 @@ std::vector<PlacedSurface> placeSurfaces(const Scene& scene, const Camera& camer
     static const Material defaultMaterial;
     std::vector<PlacedSurface> surfaces;
     for (const Node& node : scene.nodes) {
-        if (node.mesh < 0) {
+        if (!node.isDrawn()) {
             continue;
         }
         for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {

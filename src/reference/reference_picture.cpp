@@ -269,7 +269,7 @@ ReferencePicture drawReference(const Scene& scene, const ReferenceSettings& sett
 std::size_t countUnseenPrimitives(const Scene& scene) {
     std::size_t count = 0;
     for (const Node& node : scene.nodes) {
-        if (node.mesh >= 0) {
+        if (node.isDrawn()) {
             const auto& primitives = scene.meshes[std::size_t(node.mesh)].primitives;
             count += std::size_t(
                 std::count_if(primitives.begin(), primitives.end(), [](const Primitive& primitive) {

@@ -160,11 +160,13 @@ glm::dvec3 SurfaceLight::radiance(const ShadedPoint& point) const {
         sum += fromSpot(lamp, point);
     }
     for (const PointLight& lamp : scene_.pointLights) {
-        sum += fromPoint(lamp, point);
+        if (lamp.shown) {
+            sum += fromPoint(lamp, point);
+        }
     }
     for (std::size_t i = 0; i < scene_.directionalLights.size(); ++i) {
         const DirectionalLight& lamp = scene_.directionalLights[i];
-        if (daylight_ != nullptr && int(i) == daylight_->sunLamp()) {
+        if (!lamp.shown || (daylight_ != nullptr && int(i) == daylight_->sunLamp())) {
             continue;
         }
         sum += reflected(point, -lamp.direction) * glm::dvec3(lamp.color) * lamp.illuminanceLux;

@@ -6,7 +6,7 @@ std::vector<DrawItem> listDraws(const Scene& scene) {
     std::vector<DrawItem> items;
     for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
         const Node& node = scene.nodes[n];
-        if (node.mesh < 0) {
+        if (!node.isDrawn()) {
             continue;
         }
         const Mesh& mesh = scene.meshes[std::size_t(node.mesh)];

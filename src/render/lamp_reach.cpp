@@ -68,7 +68,7 @@ std::vector<Corner> endRing(const SpotLight& lamp, bool directions) {
 }  // namespace
 
 bool isDark(const SpotLight& lamp) {
-    return !(lamp.intensityCandela > 0.0) ||
+    return !lamp.shown || !(lamp.intensityCandela > 0.0) ||
            !(std::max({lamp.color.x, lamp.color.y, lamp.color.z}) > 0.0F) ||
            !(lamp.rangeMetres > 0.0);
 }

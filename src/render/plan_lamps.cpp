@@ -68,7 +68,7 @@ double distanceTo(const Bounds& bounds, const glm::dvec3& point) {
 }
 
 int SkippedLamps::*whyNot(const View& view, const PointLight& lamp) {
-    if (!(lamp.intensityCandela > 0.0) || lamp.color == glm::vec3(0.0F)) {
+    if (!lamp.shown || !(lamp.intensityCandela > 0.0) || lamp.color == glm::vec3(0.0F)) {
         return &SkippedLamps::dark;
     }
     double nearest = kEndless;
@@ -84,7 +84,7 @@ int SkippedLamps::*whyNot(const View& view, const PointLight& lamp) {
 }
 
 int SkippedLamps::*whyNot(const View& view, const DirectionalLight& lamp) {
-    if (!(lamp.illuminanceLux > 0.0) || lamp.color == glm::vec3(0.0F)) {
+    if (!lamp.shown || !(lamp.illuminanceLux > 0.0) || lamp.color == glm::vec3(0.0F)) {
         return &SkippedLamps::dark;
     }
     const bool anything =

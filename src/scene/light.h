@@ -41,6 +41,7 @@ struct SpotLight {
     double rangeMetres = std::numeric_limits<double>::infinity();
     std::optional<LightMap> lightMap;
     BeamShape beamShape = BeamShape::kCone;
+    bool shown = true;  ///< its node is; else it is dark
 
     bool operator==(const SpotLight&) const = default;
 };
@@ -52,6 +53,7 @@ struct PointLight {
     glm::vec3 color{1.0F};
     double intensityCandela = 1.0;
     double rangeMetres = std::numeric_limits<double>::infinity();
+    bool shown = true;  ///< its node is; else it is dark
 
     bool operator==(const PointLight&) const = default;
 };
@@ -62,6 +64,7 @@ struct DirectionalLight {
     glm::dvec3 direction{0.0, 0.0, -1.0};  ///< the way the light travels, unit, world
     glm::vec3 color{1.0F};
     double illuminanceLux = 1.0;
+    bool shown = true;  ///< its node is; else it is dark
 
     bool operator==(const DirectionalLight&) const = default;
 };

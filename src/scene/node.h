@@ -14,6 +14,10 @@ struct Node {
     glm::dmat4 parentFromLocal{1.0};
     glm::dmat4 worldFromLocal{1.0};  ///< product up to the root; see placeNodes
     int mesh = -1;
+    bool visible = true;  ///< its own; see shown
+    bool shown = true;    ///< it and all above it are visible; see placeNodes
+
+    bool isDrawn() const { return mesh >= 0 && shown; }
 };
 
 /// Whether less than a plane is left of a mesh that the matrix places: nothing of it is drawn.

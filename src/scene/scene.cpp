@@ -44,10 +44,13 @@ bool vanishes(const glm::dmat4& worldFromLocal) {
 
 void placeNodes(Scene& scene) {
     for (Node& node : scene.nodes) {
-        node.worldFromLocal =
-            node.parent < 0
-                ? node.parentFromLocal
-                : scene.nodes[std::size_t(node.parent)].worldFromLocal * node.parentFromLocal;
+        node.worldFromLocal = node.parentFromLocal;
+        node.shown = node.visible;
+        if (node.parent >= 0) {
+            const Node& parent = scene.nodes[std::size_t(node.parent)];
+            node.worldFromLocal = parent.worldFromLocal * node.parentFromLocal;
+            node.shown = node.visible && parent.shown;
+        }
     }
     const auto frameOf = [&](int node) {
         return rigidFrame(scene.nodes[std::size_t(node)].worldFromLocal);
@@ -60,16 +63,19 @@ void placeNodes(Scene& scene) {
     for (SpotLight& lamp : scene.spotLights) {
         if (lamp.node >= 0) {
             lamp.frame = frameOf(lamp.node);
+            lamp.shown = scene.nodes[std::size_t(lamp.node)].shown;
         }
     }
     for (PointLight& lamp : scene.pointLights) {
         if (lamp.node >= 0) {
             lamp.position = frameOf(lamp.node).position;
+            lamp.shown = scene.nodes[std::size_t(lamp.node)].shown;
         }
     }
     for (DirectionalLight& lamp : scene.directionalLights) {
         if (lamp.node >= 0) {
             lamp.direction = frameOf(lamp.node).forward();
+            lamp.shown = scene.nodes[std::size_t(lamp.node)].shown;
         }
     }
 }
@@ -77,7 +83,7 @@ void placeNodes(Scene& scene) {
 Bounds sceneBounds(const Scene& scene) {
     Bounds bounds;
     for (const Node& node : scene.nodes) {
-        if (node.mesh < 0) {
+        if (!node.isDrawn()) {
             continue;
         }
         for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {

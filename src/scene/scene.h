@@ -31,7 +31,8 @@ struct Scene {
     std::vector<Mover> movers;          ///< the nodes that they move
 };
 
-/// Computes every node's worldFromLocal and the frames of the cameras and lamps that hang on nodes.
+/// Computes every node's worldFromLocal, which nodes and lamps are shown, and the frames of the
+/// cameras and lamps that hang on nodes.
 void placeNodes(Scene& scene);
 
 /// The box around all that is drawn, in world metres; empty where nothing is.

@@ -59,7 +59,7 @@ MeshTotals totalsOf(const Scene& scene) {
         totals.triangles += trianglesOf(mesh);
     }
     for (const Node& node : scene.nodes) {
-        totals.drawn += node.mesh < 0 ? 0 : trianglesOf(scene.meshes[std::size_t(node.mesh)]);
+        totals.drawn += node.isDrawn() ? trianglesOf(scene.meshes[std::size_t(node.mesh)]) : 0;
     }
     return totals;
 }
@@ -107,7 +107,13 @@ void printMaterials(const Scene& scene) {
 
 void printGeometry(const Scene& scene, bool allMeshes) {
     const MeshTotals totals = totalsOf(scene);
-    std::printf("nodes      %zu\n", scene.nodes.size());
+    const auto hidden = std::count_if(scene.nodes.begin(), scene.nodes.end(),
+                                      [](const Node& node) { return !node.shown; });
+    std::printf("nodes      %zu", scene.nodes.size());
+    if (hidden > 0) {
+        std::printf(", %zu hidden", std::size_t(hidden));
+    }
+    std::printf("\n");
     std::printf("meshes     %zu, %zu primitives\n", scene.meshes.size(), totals.primitives);
     printMeshes(scene, allMeshes);
     std::printf("triangles  %zu, %zu as placed\n", totals.triangles, totals.drawn);
@@ -148,16 +154,21 @@ void printLamps(const Scene& scene) {
         if (lamp.beamShape == BeamShape::kPyramid) {
             std::printf(", pyramid");
         }
+        if (!lamp.shown) {
+            std::printf(", hidden");
+        }
         printLightMap(scene, lamp);
         std::printf("\n");
     }
     std::printf("points     %zu\n", scene.pointLights.size());
     for (const PointLight& lamp : scene.pointLights) {
-        std::printf("  %s %.4g cd\n", quoted(lamp.name).c_str(), lamp.intensityCandela);
+        std::printf("  %s %.4g cd%s\n", quoted(lamp.name).c_str(), lamp.intensityCandela,
+                    lamp.shown ? "" : ", hidden");
     }
     std::printf("directional %zu\n", scene.directionalLights.size());
     for (const DirectionalLight& lamp : scene.directionalLights) {
-        std::printf("  %s %.4g lux\n", quoted(lamp.name).c_str(), lamp.illuminanceLux);
+        std::printf("  %s %.4g lux%s\n", quoted(lamp.name).c_str(), lamp.illuminanceLux,
+                    lamp.shown ? "" : ", hidden");
     }
     if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty()) {
         std::printf("  no lamps: only ambient light will be drawn\n");
