@@ -24,10 +24,10 @@ if(RIBALTA_SANITIZE)
 endif()
 
 # ribalta_precompile(TARGET KIND HEADERS ...): parses HEADERS once for all targets of one KIND, which
-# are compiled alike. Only where the sanitizers make compilation slow: elsewhere a file that lacks an
-# include is to be found, and ccache to be of use.
+# are compiled alike. Only where all is built from nothing: elsewhere ccache is to be of use, and a file
+# that lacks an include to be found (tools/check_clang.py finds it everywhere).
 function(ribalta_precompile TARGET KIND)
-    if(NOT RIBALTA_SANITIZE)
+    if(NOT RIBALTA_PRECOMPILE)
         return()
     endif()
     get_property(first GLOBAL PROPERTY ribalta_precompiled_${KIND})
@@ -79,6 +79,10 @@ function(ribalta_test NAME)
                                           ${ARG_LINKS})
     if(RIBALTA_SANITIZE AND NOT ARG_HEADER_CODE)
         target_link_libraries(${NAME} PRIVATE ribalta_tests_own_code)
+    endif()
+    if(ARG_HEADER_CODE)
+        ribalta_precompile(${NAME} test_of_headers <gtest/gtest.h> <glm/glm.hpp>)
+    else()
         ribalta_precompile(${NAME} test <gtest/gtest.h> <glm/glm.hpp>)
     endif()
     target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)

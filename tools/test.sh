@@ -15,6 +15,6 @@ ctest --preset sanitize --parallel "$jobs"
 
 # Tests without OpenGL would find nothing new here, and take as long again to compile.
 echo "test: building in build/release"
-cmake --preset release -DRIBALTA_TESTS=ON
+cmake --preset release -DRIBALTA_TESTS=ON -DRIBALTA_PRECOMPILE=ON
 cmake --build --preset release --target gpu_tests
 ctest --preset release --parallel "$jobs" --label-exclude '^(unit|corpus)$' --exclude-regex '_NOT_BUILT$'

@@ -52,6 +52,9 @@ Attributes readInstanceAttributes(const Import& import, const json& object, std:
     std::string first;
     for (const auto& [name, index] : attributes.items()) {
         const auto accessor = accessorOf(import, attributes, name.c_str(), here);
+        if (!accessor) {
+            continue;
+        }
         const std::size_t count = import.model.accessors[*accessor].count;
         if (!first.empty() && count != read.count) {
             badInput(here.at(name), "has " + counted(count, "elements") + ", " + first + " has " +
@@ -60,6 +63,7 @@ Attributes readInstanceAttributes(const Import& import, const json& object, std:
         first = name;
         read.count = count;
     }
+    import.budget->takeNodes(read.count, here);
     if (read.count > left) {
         badInput(here, "with these the scene has over " + std::to_string(kMaxInstances) +
                            " instances, the most that are drawn; split the scene");

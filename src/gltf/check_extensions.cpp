@@ -22,6 +22,7 @@ constexpr std::string_view kSupported[] = {
     "KHR_lights_punctual",              // read_light
     "KHR_materials_emissive_strength",  // read_material
     "KHR_materials_unlit",              // read_material
+    "KHR_materials_variants",           // choose_variant
     "KHR_mesh_quantization",            // read_accessor
     "KHR_node_visibility",              // read_nodes
     "KHR_texture_transform",            // read_material

@@ -1,41 +1,9 @@
 #include "gltf/choose_scene.h"
 
-#include <algorithm>
-#include <charconv>
+#include "gltf/find_named.h"
 
 namespace ribalta::gltf {
 namespace {
-
-std::optional<std::size_t> numberIn(const std::string& text) {
-    std::size_t number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
-}
-
-std::size_t find(const std::vector<std::string>& names, const std::string& nameOrIndex,
-                 const Place& file) {
-    const auto named = std::find(names.begin(), names.end(), nameOrIndex);
-    if (named != names.end()) {
-        return std::size_t(named - names.begin());
-    }
-    const std::optional<std::size_t> number = numberIn(nameOrIndex);
-    if (number && *number < names.size()) {
-        return *number;
-    }
-    constexpr std::size_t kListed = 20;
-    std::string there;
-    for (std::size_t i = 0; i < std::min(names.size(), kListed); ++i) {
-        there += (i == 0 ? "" : ", ") + std::to_string(i) + " " + names[i];
-    }
-    if (names.size() > kListed) {
-        there += " and " + std::to_string(names.size() - kListed) + " more";
-    }
-    throw Error(ErrorKind::kUsage, file,
-                "has no scene '" + nameOrIndex + "'; " +
-                    (there.empty() ? "it has none at all, ask for none to draw all of its nodes"
-                                   : "there are: " + there));
-}
 
 std::vector<std::size_t> nodesWithoutParent(const tinygltf::Model& model) {
     std::vector<char> hasParent(model.nodes.size(), 0);
@@ -65,7 +33,8 @@ ChosenScene chooseScene(const Import& import, const std::optional<std::string>& 
     const nlohmann::json& fileChoice = member(import.json, "scene");
     std::size_t index = 0;
     if (nameOrIndex) {
-        index = find(chosen.allNames, *nameOrIndex, import.file);
+        index = findNamed(chosen.allNames, *nameOrIndex, "scene",
+                          "it has none at all, ask for none to draw all of its nodes", import.file);
     } else if (model.scenes.empty()) {
         chosen.roots = nodesWithoutParent(model);
         return chosen;

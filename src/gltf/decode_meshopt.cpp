@@ -75,9 +75,10 @@ void applyFilter(std::vector<std::byte>& bytes, const MeshoptLayout& layout) {
 }  // namespace
 
 std::vector<std::byte> decodeMeshopt(std::span<const std::byte> data, const MeshoptLayout& layout,
-                                     const Place& place) {
+                                     Budget& budget, const Place& place) {
     checkStride(layout, place);
     checkCount(data.size(), layout, place);
+    budget.takeMemory(std::uint64_t(layout.count) * layout.stride, place);
     std::vector<std::byte> bytes(layout.count * layout.stride);
     const auto* source = reinterpret_cast<const unsigned char*>(data.data());
     const int fault = layout.mode == Mode::kAttributes

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "gltf/budget.h"
 
 namespace ribalta::gltf {
 
@@ -23,8 +24,8 @@ struct MeshoptLayout {
 
 /// The count * stride bytes that were packed. Sizes that the mode or the filter does not allow, and
 /// data too short for what it promises, are refused before memory is taken: the result is at most
-/// 64 times as long as the data. Throws Error(kBadInput).
+/// 64 times as long as the data. Throws Error(kBadInput), LimitError.
 std::vector<std::byte> decodeMeshopt(std::span<const std::byte> data, const MeshoptLayout& layout,
-                                     const Place& place);
+                                     Budget& budget, const Place& place);
 
 }  // namespace ribalta::gltf

@@ -15,6 +15,7 @@
 #include "gltf/check_json.h"
 #include "gltf/check_nodes.h"
 #include "gltf/choose_scene.h"
+#include "gltf/choose_variant.h"
 #include "gltf/import.h"
 #include "gltf/parse_model.h"
 #include "gltf/read_animations.h"
@@ -179,8 +180,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     import.folder = path.parent_path();
     import.allowOutside = options.allowOutside;
     import.budget = std::make_unique<Budget>(options.limits);
-    container =
-        readContainer(readFile(path, import.budget->memoryLeft()), import.file);
+    container = readContainer(readFile(path, import.budget->memoryLeft()), import.file);
     import.budget->takeMemory(container.bytes.size(), import.file);
     watch.lap("read");
 
@@ -192,6 +192,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     checkNodes(import.json, import.file, report);
     listExtensions(import.json, loaded);
     takeModel(import);
+    loaded.variantNames = chooseVariant(import.json, options.variant, import.file, report);
     import.model = parseModel(import.json, import.file);
     reportUnread(import, report);
     const ChosenScene chosen = chooseScene(import, options.scene, report);

@@ -21,6 +21,7 @@ struct LoadedScene {
     std::vector<std::string> extensionsUsed;     ///< as the file lists them
     std::vector<std::string> extensionsIgnored;  ///< of these, what this program does not draw
     std::vector<std::string> sceneNames;         ///< of all the file's scenes; may be empty
+    std::vector<std::string> variantNames;       ///< of its material variants; may be empty
     int sceneIndex = -1;                         ///< of these, the one loaded; -1: there is none
 
     /// Wall time of a step of loading, in order: parse, meshes, images, ...
@@ -34,8 +35,8 @@ struct LoadedScene {
 /// Loads the scene that the options ask for: else the file's default, or its first one, or all root
 /// nodes where it has none. Images and Draco meshes are decoded in parallel. Throws
 /// Error(kBadInput) with a place where the file cannot be used; what can be drawn in spite of a
-/// fault is, and the report says so. Throws Error(kUsage) that lists the file's scenes where the
-/// one asked for is not among them.
+/// fault is, and the report says so. Throws Error(kUsage) that lists the file's scenes or
+/// variants where the one asked for is not among them.
 LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The same in two steps, for who shows the geometry before the pictures are decoded.

@@ -26,8 +26,11 @@ inline constexpr std::uint64_t kMaxNesting = 1000;
 struct LoadOptions {
     /// One of the file's scenes, by name or counted from 0; none: the file's own choice, or its
     /// first one.
-    std::optional<std::string> scene;
-    LoadLimits limits;
+    std::optional<std::string> scene{};
+    /// One of its material variants (KHR_materials_variants), the same way; none: the materials
+    /// that it shows by default.
+    std::optional<std::string> variant{};
+    LoadLimits limits{};
     /// Whether buffers, pictures and the like may lie outside the scene's folder.
     bool allowOutside = false;
 

@@ -86,7 +86,7 @@ std::vector<std::byte> unpack(const Import& import, std::size_t view) {
                                              ", the buffer view's own is " + std::to_string(outer) +
                                              "; pack the mesh again");
     }
-    return decodeMeshopt(bytes.subspan(offset, length), layout, place);
+    return decodeMeshopt(bytes.subspan(offset, length), layout, *import.budget, place);
 }
 
 }  // namespace

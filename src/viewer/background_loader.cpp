@@ -55,6 +55,7 @@ void BackgroundLoader::begin(const Request& request) {
     LoadOptions options = options_;
     if (request.path != *first_) {
         options.scene.reset();
+        options.variant.reset();
     }
     thread_ = std::jthread([this, request, options] { read(request, options); });
 }

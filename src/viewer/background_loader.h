@@ -38,7 +38,7 @@ class BackgroundLoader {
     };
     using Event = std::variant<SceneRead, PictureDecoded, End>;
 
-    /// How files are read; the `scene` that is asked for is one of the first file.
+    /// How files are read; the scene and the variant that are asked for are the first file's.
     explicit BackgroundLoader(LoadOptions options) : options_(std::move(options)) {}
     ~BackgroundLoader();
     BackgroundLoader(const BackgroundLoader&) = delete;

@@ -16,7 +16,7 @@ namespace ribalta {
 struct ViewerOptions {
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
     std::optional<std::filesystem::path> scene;  ///< none: one is dropped on the window
-    LoadOptions loading;                         ///< its `scene` is of the first file alone
+    LoadOptions loading;                         ///< its scene and variant are the first file's
     Look look;                                   ///< to begin with
     std::filesystem::path lookFile;              ///< empty: beside the scene
     glm::ivec2 size{1280, 720};                  ///< of the window, unless the look has one

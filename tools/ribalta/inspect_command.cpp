@@ -236,6 +236,17 @@ void printScenes(const LoadedScene& loaded) {
     }
 }
 
+void printVariants(const LoadedScene& loaded) {
+    const std::size_t count = loaded.variantNames.size();
+    if (count == 0) {
+        return;
+    }
+    std::printf("variants   %zu of materials (--variant chooses)\n", count);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::printf("  %zu %s\n", i, quoted(loaded.variantNames[i]).c_str());
+    }
+}
+
 LoadedScene load(const std::string& path, const LoadOptions& options) {
     const Progress progress("loading");
     return loadGltf(path, options);
@@ -281,6 +292,7 @@ void inspect(const InspectOptions& options) {
     const bool all = options.all;
     std::printf("%s\n", options.scene.c_str());
     printScenes(loaded);
+    printVariants(loaded);
     printGeometry(loaded.scene, all);
     printLamps(loaded.scene);
     printCameras(loaded.scene);

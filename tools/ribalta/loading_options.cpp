@@ -87,6 +87,11 @@ void LoadingOptions::addTo(CLI::App& command) {
                     "the file names, else its first)")
         ->type_name("NAME|INDEX");
     command
+        .add_option("--variant", variant,
+                    "which of the file's material variants, by name or counted from 0 (default: "
+                    "none, the materials that it shows without)")
+        ->type_name("NAME|INDEX");
+    command
         .add_option("--limits", limits,
                     "how much the file may ask for before it is refused: bytes of memory, "
                     "vertices and indices, nodes, pixels of one picture, nesting of its JSON; K, "
@@ -104,6 +109,7 @@ LoadOptions LoadingOptions::parsed() const {
         options.limits = parseLimits(*limits);
     }
     options.allowOutside = allowOutside;
+    options.variant = variant;
     return options;
 }
 

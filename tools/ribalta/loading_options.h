@@ -12,10 +12,11 @@ class App;
 
 namespace ribalta {
 
-/// The options --scene, --limits and --allow-outside. Must outlive the parsing of the command it is
-/// added to.
+/// The options --scene, --variant, --limits and --allow-outside. Must outlive the parsing of the
+/// command it is added to.
 struct LoadingOptions {
     std::optional<std::string> scene;
+    std::optional<std::string> variant;
     std::optional<std::string> limits;
     bool allowOutside = false;
 

@@ -391,17 +391,18 @@ TEST(PackedMeshTest, DataOfEveryLengthIsDecodedOrRefused) {
     data.resize(meshopt_encodeVertexBuffer(data.data(), data.size(), ring.positions.data(),
                                            ring.positions.size(), 12));
     const MeshoptLayout layout = {.count = ring.positions.size(), .stride = 12};
+    gltf::Budget budget({});
     for (std::size_t length = 1; length < data.size(); length += 7) {
         // A heap block of just that size, so that a sanitizer sees what is read beyond it.
         const std::vector<unsigned char> cut(data.begin(), data.begin() + std::ptrdiff_t(length));
         expectError(ErrorKind::kBadInput, {}, [&] {
-            decodeMeshopt(std::as_bytes(std::span(cut)), layout, {"file", ""});
+            decodeMeshopt(std::as_bytes(std::span(cut)), layout, budget, {"file", ""});
         });
     }
     // Another version of the codec.
     data[0] = 0xA1;
     expectError(ErrorKind::kBadInput, {"version"}, [&] {
-        decodeMeshopt(std::as_bytes(std::span(data)), layout, {"file", ""});
+        decodeMeshopt(std::as_bytes(std::span(data)), layout, budget, {"file", ""});
     });
 }
 
