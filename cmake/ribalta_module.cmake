@@ -24,8 +24,8 @@ if(RIBALTA_SANITIZE)
 endif()
 
 # ribalta_precompile(TARGET KIND HEADERS ...): parses HEADERS once for all targets of one KIND, which
-# are compiled alike. Only where all is built from nothing: elsewhere ccache is to be of use, and a file
-# that lacks an include to be found (tools/check_clang.py finds it everywhere).
+# are compiled alike. Only where all is built from nothing: elsewhere a file that lacks an include is to
+# be found, and ccache to be of use.
 function(ribalta_precompile TARGET KIND)
     if(NOT RIBALTA_PRECOMPILE)
         return()

@@ -28,7 +28,8 @@ LINTED = ("src/", "tools/")
 CHECKED = LINTED + ("tests/", "samples/")
 # Options of g++'s own or of code generation, and options that make files.
 DROPPED = re.compile(r"^(-c|-M[MDP]*|-O\w*|-g\w*|-f(PIC|PIE|pic|pie))$")
-DROPPED_WITH_VALUE = {"-o", "-MF", "-MT", "-MQ"}
+# And headers that g++ has parsed beforehand.
+DROPPED_WITH_VALUE = {"-o", "-MF", "-MT", "-MQ", "-include"}
 # Keeps all cores busy to the end, and a batch's memory below a gigabyte or two.
 LARGEST_BATCH = 24
 COMPLAINT = re.compile(r"^(.+?):(\d+):\d+: (?:fatal )?(?:error|warning): ", re.MULTILINE)

@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "render": {"base", "image", "scene", "optics", "sky", "gl"},
     "measure": {"base", "image", "scene", "optics", "sky", "reference", "gl", "render"},
     "look": {"base", "image", "scene", "sky", "render"},
-    "viewer": {"base", "image", "scene", "optics", "sky", "gltf", "gl", "render", "look"},
+    "viewer": {"base", "image", "scene", "optics", "sky", "gltf", "gl", "render", "measure", "look"},
 }
 # Shader mathematics and structs, compiled as C++ too.
 SHADER_FOLDERS = {"lib", "shared"}

@@ -22,6 +22,7 @@ constexpr double kFarMetres = 1e12;
 constexpr double kMostLight = 1e12;  ///< candela and lux
 constexpr int kLongestSide = 16384;
 constexpr int kMostSheets = 65536;
+constexpr int kMostCells = 1024;
 constexpr std::uint64_t kMostBytes = std::uint64_t(64) << 20;
 
 [[noreturn]] void refuse(const Place& place, const std::string& message) {
@@ -271,6 +272,10 @@ BeamSettings readBeamsOf(JsonObject& object) {
     beams.method = readNamed(object, "method", beamMethods(), beams.method);
     beams.planes = object.integer("planes", 1, kMostSheets).value_or(beams.planes);
     beams.tolerance = object.number("tolerance", 0.0, 1.0);
+    if (const auto cells = object.numbers("cells", 2, 1.0, kMostCells)) {
+        beams.cellsAcross = int((*cells)[0]);
+        beams.cellsDown = int((*cells)[1]);
+    }
     object.refuseOthers();
     return beams;
 }
@@ -281,6 +286,9 @@ Json writeBeamsOf(const BeamSettings& beams) {
     json["planes"] = beams.planes;
     if (beams.tolerance) {
         json["tolerance"] = *beams.tolerance;
+    }
+    if (beams.cellsAcross > 0) {
+        json["cells"] = {beams.cellsAcross, beams.cellsDown};
     }
     return json;
 }

@@ -24,11 +24,17 @@ using Rung = std::size_t;  // into kLadder
 // A view in which settings can be tried out.
 class Trial {
   public:
-    Trial(Renderer& renderer, const Camera& camera, const FrameSettings& settings)
-        : renderer_(renderer), camera_(camera), settings_(settings), half_(settings) {
+    Trial(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
+          const std::function<void()>& betweenFrames)
+        : renderer_(renderer),
+          camera_(camera),
+          settings_(settings),
+          half_(settings),
+          betweenFrames_(betweenFrames) {
         half_.width = std::max(1, settings.width / 2);
         half_.height = std::max(1, settings.height / 2);
         half_.beams = with(BeamMethod::kClipped, kManySheets);
+        betweenFrames_();
         answer_ = drawLight(renderer_, camera_, half_).total;
         ev100_ = settings.ev100.value_or(autoExposure(answer_));
         answer_ = displayPicture(answer_, ev100_, settings.toneCurve);
@@ -37,6 +43,7 @@ class Trial {
 
     double errorPercent(const BeamSettings& beams) {
         half_.beams = beams;
+        betweenFrames_();
         const RgbPicture picture = drawLight(renderer_, camera_, half_).total;
         return displayRmsePercent(displayPicture(picture, ev100_, settings_.toneCurve), answer_);
     }
@@ -45,6 +52,7 @@ class Trial {
         settings_.beams = beams;
         std::vector<double> times;
         for (int i = 0; i <= kTimedFrames; ++i) {
+            betweenFrames_();
             renderer_.redrawNextFrame();
             renderer_.draw(camera_, settings_);
             double ms = 0.0;
@@ -70,6 +78,7 @@ class Trial {
     const Camera& camera_;
     FrameSettings settings_;
     FrameSettings half_;
+    const std::function<void()>& betweenFrames_;
     RgbPicture answer_;
     double ev100_ = 0.0;
 };
@@ -128,8 +137,8 @@ BeamChoice reachBudget(Trial& trial, BeamMethod method, double budgetMs) {
 }  // namespace
 
 BeamChoice chooseBeams(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
-                       const BeamGoal& goal) {
-    Trial trial(renderer, camera, settings);
+                       const BeamGoal& goal, const std::function<void()>& betweenFrames) {
+    Trial trial(renderer, camera, settings, betweenFrames);
     std::optional<BeamChoice> best;
     for (const BeamMethod method : kMethods) {
         const BeamChoice choice = goal.budgetMs ? reachBudget(trial, method, *goal.budgetMs)

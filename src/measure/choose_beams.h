@@ -2,6 +2,7 @@
 // this view. Found by drawing it, not by a formula.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "render/renderer.h"
@@ -24,8 +25,9 @@ struct BeamChoice {
 /// Tries `adaptive` and `clipped` with numbers of sheets from a fixed ladder, halving the ladder
 /// each time. Times are those of the whole picture; errors, at the exposure of `settings` or one
 /// found, those of one half as wide and high, where they are a little larger. Draws some twenty
-/// frames.
-BeamChoice chooseBeams(Renderer& renderer, const Camera& camera, const FrameSettings& settings,
-                       const BeamGoal& goal);
+/// frames, and calls `betweenFrames` before each; what that throws ends the search.
+BeamChoice chooseBeams(
+    Renderer& renderer, const Camera& camera, const FrameSettings& settings, const BeamGoal& goal,
+    const std::function<void()>& betweenFrames = [] {});
 
 }  // namespace ribalta

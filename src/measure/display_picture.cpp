@@ -9,6 +9,18 @@
 
 namespace ribalta {
 
+namespace {
+
+glm::dvec3 shown(const glm::dvec3& exposed, ToneCurve curve) {
+    return shader::srgbEncode(shader::tonemap(int(curve), exposed));
+}
+
+}  // namespace
+
+glm::dvec3 displayPixel(const glm::dvec3& linear, double ev100, ToneCurve curve) {
+    return shown(linear * shader::exposureFromEv100(ev100), curve);
+}
+
 RgbPicture displayPicture(const RgbPicture& linear, double ev100, ToneCurve curve) {
     RgbPicture display{linear.width, linear.height, {}};
     display.pixels.resize(linear.pixels.size());
@@ -16,8 +28,7 @@ RgbPicture displayPicture(const RgbPicture& linear, double ev100, ToneCurve curv
     const auto width = std::size_t(linear.width);
     parallelFor(std::size_t(linear.height), [&](std::size_t y) {
         for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
-            const glm::dvec3 exposed = glm::dvec3(linear.pixels[i]) * exposure;
-            display.pixels[i] = glm::vec3(shader::srgbEncode(shader::tonemap(int(curve), exposed)));
+            display.pixels[i] = glm::vec3(shown(glm::dvec3(linear.pixels[i]) * exposure, curve));
         }
     });
     return display;

@@ -11,6 +11,9 @@ namespace ribalta {
 RgbPicture displayPicture(const RgbPicture& linear, double ev100,
                           ToneCurve curve = ToneCurve::kNeutral);
 
+/// The same of one pixel.
+glm::dvec3 displayPixel(const glm::dvec3& linear, double ev100, ToneCurve curve);
+
 /// The EV100 that the renderer finds for a linear picture in cd/m2 (see lib/auto_exposure.glsl).
 double autoExposure(const RgbPicture& linear);
 

@@ -107,17 +107,21 @@ class ReferenceFrame {
     void drawRow(int y) {
         Sight sight;
         for (int x = 0; x < settings_.width; ++x) {
-            const std::size_t pixel =
-                std::size_t(y) * std::size_t(settings_.width) + std::size_t(x);
-            const PixelRay ray = rays_.at(x, y);
-            const double last =
-                traced_ ? traceSurfaces(ray, pixel, sight) : readSurfaces(ray, pixel);
-            const double first = settings_.camera.nearMetres * ray.metresPerDepth;
-            if (first < last) {
-                drawBeams({ray.origin, ray.direction, first, last, ray.width, ray.widening}, pixel);
-            }
+            drawPixel(x, y, sight);
         }
     }
+
+    void drawPixel(int x, int y, Sight& sight) {
+        const std::size_t pixel = pixelAt(x, y);
+        const PixelRay ray = rays_.at(x, y);
+        const double last = traced_ ? traceSurfaces(ray, pixel, sight) : readSurfaces(ray, pixel);
+        const double first = settings_.camera.nearMetres * ray.metresPerDepth;
+        if (first < last) {
+            drawBeams({ray.origin, ray.direction, first, last, ray.width, ray.widening}, pixel);
+        }
+    }
+
+    const glm::dvec3& beams(int x, int y) const { return picture_.beams[pixelAt(x, y)]; }
 
     ReferencePicture finish() {
         double squares = 0.0;
@@ -133,6 +137,10 @@ class ReferenceFrame {
     }
 
   private:
+    std::size_t pixelAt(int x, int y) const {
+        return std::size_t(y) * std::size_t(settings_.width) + std::size_t(x);
+    }
+
     std::unique_ptr<BeamVisibility> makeVisibility() const {
         if (traced_) {
             return std::make_unique<TriangleShadows>(traced_->surfaces, traced_->textures);
@@ -236,7 +244,10 @@ class ReferenceFrame {
     std::vector<double> errors_;  ///< relative, by pixel
 };
 
-void checkDrawn(const Scene& scene, const ReferenceSettings& settings) {
+void checkSettings(const Scene& scene, const ReferenceSettings& settings) {
+    CHECK(settings.width > 0 && settings.height > 0);
+    CHECK(!settings.sky ||
+          (settings.drawn == nullptr && settings.haze.extinctionPerMetre() == 0.0));
     if (settings.drawn == nullptr) {
         return;
     }
@@ -252,10 +263,7 @@ void checkDrawn(const Scene& scene, const ReferenceSettings& settings) {
 
 ReferencePicture drawReference(const Scene& scene, const ReferenceSettings& settings,
                                Progress* progress) {
-    CHECK(settings.width > 0 && settings.height > 0);
-    CHECK(!settings.sky ||
-          (settings.drawn == nullptr && settings.haze.extinctionPerMetre() == 0.0));
-    checkDrawn(scene, settings);
+    checkSettings(scene, settings);
     ReferenceFrame frame(scene, settings);
     parallelFor(std::size_t(settings.height), [&](std::size_t y) {
         frame.drawRow(int(y));
@@ -264,6 +272,24 @@ ReferencePicture drawReference(const Scene& scene, const ReferenceSettings& sett
         }
     });
     return frame.finish();
+}
+
+class ReferencePixels::Frame : public ReferenceFrame {
+  public:
+    using ReferenceFrame::ReferenceFrame;
+};
+
+ReferencePixels::ReferencePixels(const Scene& scene, const ReferenceSettings& settings) {
+    checkSettings(scene, settings);
+    frame_ = std::make_unique<Frame>(scene, settings);
+}
+
+ReferencePixels::~ReferencePixels() = default;
+
+glm::dvec3 ReferencePixels::beams(int x, int y) {
+    Sight sight;
+    frame_->drawPixel(x, y, sight);
+    return frame_->beams(x, y);
 }
 
 std::size_t countUnseenPrimitives(const Scene& scene) {

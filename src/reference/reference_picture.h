@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -75,6 +76,23 @@ struct ReferencePicture {
 /// Points and lines are not seen by geometry's visibility; countUnseenPrimitives tells how many.
 ReferencePicture drawReference(const Scene& scene, const ReferenceSettings& settings,
                                Progress* progress = nullptr);
+
+/// The beams of a reference picture, pixel by pixel, in any order and from several threads at once.
+class ReferencePixels {
+  public:
+    /// Both must outlive it, as what the settings point to, and stay as they are.
+    ReferencePixels(const Scene& scene, const ReferenceSettings& settings);
+    ~ReferencePixels();
+    ReferencePixels(const ReferencePixels&) = delete;
+    ReferencePixels& operator=(const ReferencePixels&) = delete;
+
+    /// cd/m2; rows from the top. No pixel from two threads.
+    glm::dvec3 beams(int x, int y);
+
+  private:
+    class Frame;
+    std::unique_ptr<Frame> frame_;
+};
 
 /// How many of the scene's placed primitives are points or lines.
 std::size_t countUnseenPrimitives(const Scene& scene);

@@ -24,27 +24,30 @@ struct KeyHelp {
     const char* key;
     const char* what;
 };
-constexpr std::array<KeyHelp, 21> kKeys = {{{"left drag", "turn around the middle"},
-                                            {"Shift + left, middle drag", "move sideways"},
-                                            {"right drag, wheel", "nearer, farther"},
-                                            {"Ctrl + left drag", "look around"},
-                                            {"W A S D, Q E", "walk, down and up; Shift: faster"},
-                                            {"click", "choose a lamp"},
-                                            {"drag the cross", "aim the chosen lamp"},
-                                            {"F", "frame the chosen lamp, or everything"},
-                                            {"Enter", "the scene's own camera"},
-                                            {"C", "next camera"},
-                                            {"O, Shift + O", "chosen lamp on or off; solo"},
-                                            {"+, -", "chosen lamp wider, narrower"},
-                                            {"Space", "play, pause"},
-                                            {"I", "illuminance in false colours"},
-                                            {"L", "marks of lamps"},
-                                            {"P", "panels"},
-                                            {"Z", "statistics"},
-                                            {"F12", "save the picture"},
-                                            {"Ctrl + S, Ctrl + O", "save, load the look"},
-                                            {"H", "this help"},
-                                            {"Esc", "close"}}};
+constexpr std::array<KeyHelp, 23> kKeys = {
+    {{"left drag", "turn around the middle"},
+     {"Shift + left, middle drag", "move sideways"},
+     {"right drag, wheel", "nearer, farther"},
+     {"Ctrl + left drag", "look around"},
+     {"W A S D, Q E", "walk, down and up; Shift: faster"},
+     {"click", "choose a lamp"},
+     {"drag the cross", "aim the chosen lamp"},
+     {"F", "frame the chosen lamp, or everything"},
+     {"Enter", "the scene's own camera"},
+     {"C", "next camera"},
+     {"O, Shift + O", "chosen lamp on or off; solo"},
+     {"+, -", "chosen lamp wider, narrower"},
+     {"Space", "play, pause"},
+     {"I", "illuminance in false colours"},
+     {"M, Shift + M", "the beams' error, by shadow maps, by geometry"},
+     {"B, Shift + B", "beams within the error, within the time"},
+     {"L", "marks of lamps"},
+     {"P", "panels"},
+     {"Z", "statistics"},
+     {"F12", "save the picture"},
+     {"Ctrl + S, Ctrl + O", "save, load the look"},
+     {"H", "this help"},
+     {"Esc", "close"}}};
 
 void choose(ViewerState& state, const StageView& stage, const Camera& camera) {
     state.view = viewpointOf(stage.posed(camera), stage.bounds());
@@ -136,6 +139,9 @@ void drawStatistics(const PictureFacts& facts, const StageView& stage) {
     if (!facts.probe.empty()) {
         ImGui::Text("%s", facts.probe.c_str());
     }
+    if (!facts.error.empty()) {
+        ImGui::Text("error %s", facts.error.c_str());
+    }
     ImGui::TextDisabled("%s", facts.renderer.c_str());
     ImGui::End();
 }
@@ -175,12 +181,61 @@ void drawHaze(Haze& haze) {
     }
 }
 
+// What belongs to the thesis's planes alone.
+void drawPlanesQuality(BeamSettings& beams) {
+    int cells[2] = {beams.cellsAcross, beams.cellsDown};
+    if (ImGui::SliderInt2("cells", cells, 0, 256, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+        // Both or none: at every pixel, or at the corners of cells across and down.
+        const bool any = cells[0] > 0 && cells[1] > 0;
+        beams.cellsAcross = any ? cells[0] : 0;
+        beams.cellsDown = any ? cells[1] : 0;
+    }
+}
+
+// A method and a number of sheets for a time or an error, found by trying them in this view.
+void drawGoals(ViewerState& state) {
+    const double low = 0.01;
+    const double high = 10000.0;
+    constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
+    ImGui::PushItemWidth(90.0F);
+    ImGui::DragScalar("ms##budget", ImGuiDataType_Double, &*state.goal.budgetMs, 0.1F, &low, &high,
+                      "%.2f", kFlags);
+    ImGui::SameLine();
+    if (ImGui::Button("best within the time")) {
+        state.requests.chooseBeams = state.goal;
+    }
+    ImGui::DragScalar("%##error", ImGuiDataType_Double, &state.goal.errorPercent, 0.01F, &low,
+                      &high, "%.2f", kFlags);
+    ImGui::SameLine();
+    if (ImGui::Button("fastest within the error")) {
+        state.requests.chooseBeams = BeamGoal{std::nullopt, state.goal.errorPercent};
+    }
+    ImGui::PopItemWidth();
+}
+
+void drawError(ViewerState& state, const PictureFacts& facts) {
+    ImGui::TextDisabled("the beams' error, of full scale");
+    if (ImGui::Button("by shadow maps")) {
+        state.requests.measureError = ErrorEstimate::Against::kShadowMaps;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("by geometry")) {
+        state.requests.measureError = ErrorEstimate::Against::kGeometry;
+    }
+    if (!facts.error.empty()) {
+        ImGui::TextUnformatted(facts.error.c_str());
+    }
+}
+
 void drawQuality(BeamSettings& beams) {
     if (chooseNamed("beams", beamMethods(), beams.method)) {
         beams.tolerance.reset();
     }
     ImGui::SliderInt("sheets", &beams.planes, 1, 256, "%d",
                      ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    if (beams.method == BeamMethod::kPlanes) {
+        drawPlanesQuality(beams);
+    }
 }
 
 void drawExposure(ViewerState& state, const PictureFacts& facts) {
@@ -245,6 +300,8 @@ void drawLightPanels(ViewerState& state, const PictureFacts& facts) {
     }
     if (ImGui::CollapsingHeader("Quality")) {
         drawQuality(state.look.beams);
+        drawGoals(state);
+        drawError(state, facts);
     }
     if (ImGui::CollapsingHeader("Exposure and sky")) {
         drawExposure(state, facts);

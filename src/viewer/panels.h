@@ -21,6 +21,7 @@ struct PictureFacts {
     std::vector<PassTime> passes;
     std::optional<double> ev100;
     std::string probe;  ///< what lies under the pointer
+    std::string error;  ///< how far its beams are from the reference; empty: nobody has asked
 };
 
 /// Panels for the scene, its lamps and how it is seen. Changes `state` alone.

@@ -219,6 +219,14 @@ void handleKey(const KeyPress& press, ViewerState& state) {
                                    ? std::nullopt
                                    : std::optional<double>(IlluminanceView{}.highestLux);
             break;
+        case GLFW_KEY_M:
+            state.requests.measureError = press.shift ? ErrorEstimate::Against::kGeometry
+                                                      : ErrorEstimate::Against::kShadowMaps;
+            break;
+        case GLFW_KEY_B:
+            state.requests.chooseBeams =
+                press.shift ? state.goal : BeamGoal{std::nullopt, state.goal.errorPercent};
+            break;
         case GLFW_KEY_L:
             toggle(state.showLamps);
             break;

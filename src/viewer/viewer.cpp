@@ -113,6 +113,7 @@ void Viewer::drawPicture() {
     if (moves) {
         movedAt_ = Clock::now();
         failed_ = false;
+        error_.reset();
     }
     if (failed_) {
         return;
@@ -159,6 +160,7 @@ void Viewer::drawInterface() {
     if (stage_) {
         pointer_.steer(keys, state_, *stage_, window_.pixels(), window_.pixelScale());
         facts_.probe = probe();
+        facts_.error = errorSoFar();
         drawLegend(state_);
         drawPanels(state_, *stage_, facts_);
     }
@@ -182,7 +184,8 @@ double Viewer::secondsToWait() const {
         const std::chrono::duration<double> left = message.until - Clock::now();
         seconds = std::min(seconds, std::max(1e-3, left.count()));
     }
-    return loader_.reading() ? std::min(seconds, 0.25) : seconds;
+    const bool isMeasuring = error_ && !error_->value().isDone;
+    return loader_.reading() || isMeasuring ? std::min(seconds, 0.25) : seconds;
 }
 
 void Viewer::playOn() {

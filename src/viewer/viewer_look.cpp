@@ -37,6 +37,7 @@ Look withoutView(Look look) {
 
 // Brings the look's lamps to the scene, and takes back what cannot be brought.
 void Viewer::bringLook() {
+    error_.reset();  // it looks at the scene as it is
     // Each failure takes one file back, or all of them.
     for (std::size_t tries = 0; tries <= state_.look.lamps.size() + 1; ++tries) {
         try {
@@ -187,6 +188,12 @@ void Viewer::carryOut(ViewerRequests requests) {
     }
     if (requests.loadLook) {
         loadLook(state_.lookFile, true);
+    }
+    if (requests.measureError) {
+        measureError(*requests.measureError);
+    }
+    if (requests.chooseBeams) {
+        chooseBeams(*requests.chooseBeams);
     }
     if (requests.savePicture && isComplete_) {
         savePicture();

@@ -54,6 +54,11 @@ class Viewer {
     void keepUnsavedLook();
     void savePicture();
 
+    // Measurements (viewer_measure.cpp).
+    void measureError(ErrorEstimate::Against against);
+    void chooseBeams(const BeamGoal& goal);
+    std::string errorSoFar() const;
+
     // Frames (viewer.cpp).
     void drawInterface();
     void drawPicture();
@@ -85,6 +90,7 @@ class Viewer {
     bool ownsLookFile_ = false;  ///< it was read or written here, and may be written again
     Pointer pointer_;
     LiveQuality quality_;
+    std::unique_ptr<ErrorEstimate> error_;  ///< of the picture that is there; none: not asked for
     PictureFacts facts_;
     ViewerStats stats_;
 

@@ -59,6 +59,7 @@ void Viewer::takeLoaded() {
         }
     }
     if (stage_ && !pictures.empty()) {
+        error_.reset();
         stage_->takePictures(std::move(pictures));
         bringLook();
     }
@@ -94,6 +95,7 @@ void Viewer::show(BackgroundLoader::SceneRead read) {
     state_.isPlaying = state_.isPlaying && isSame;
     std::vector<LoadedScene::Stage> stages = read.scene.stages;
     // The old one first: two scenes may be more than the GPU's memory holds.
+    error_.reset();
     stage_.reset();
     try {
         stage_ = std::make_unique<StageView>(std::move(read.scene), read.path,

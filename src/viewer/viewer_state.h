@@ -10,6 +10,8 @@
 
 #include "look/apply_look.h"
 #include "look/look.h"
+#include "measure/choose_beams.h"
+#include "measure/error_estimate.h"
 #include "viewer/navigate.h"
 
 namespace ribalta {
@@ -28,6 +30,8 @@ struct ViewerRequests {
     bool loadLook = false;
     bool reload = false;
     bool quit = false;
+    std::optional<ErrorEstimate::Against> measureError;
+    std::optional<BeamGoal> chooseBeams;
 };
 
 struct ViewerState {
@@ -43,6 +47,7 @@ struct ViewerState {
     bool showStatistics = true;
     bool showLamps = true;
     std::string lampFilter;
+    BeamGoal goal{16.0, 0.5};  ///< of the fields for one; each is asked for by itself
     std::string lightMapText;  ///< of the light map's field, until Enter
     std::filesystem::path lookFile;
     std::vector<ViewerMessage> messages;

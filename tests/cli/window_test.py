@@ -303,6 +303,23 @@ class Arrival(WindowTest):
         self.expect_same_picture("floor.look.json", "floor_001.png")
 
 
+class Measurements(WindowTest):
+    def test_beams_and_their_error(self):
+        self.open("floor.gltf")
+        self.press("b")
+        self.expect("sheets: ")
+        before = self.save_picture("floor_001.png")
+        for keys in ["m", "shift+m"]:
+            self.press(keys)
+            self.rest(seconds=1)
+        # A measurement leaves the picture as it was, and ends where the view changes.
+        self.assertEqual(self.save_picture("floor_002.png"), before)
+        self.press("shift+m", "minus", "c", "Return")
+        self.rest()
+        self.assertNotIn("warning", self.said())
+        self.close()
+
+
 class Shaders(WindowTest):
     def test_are_made_anew_when_they_change(self):
         shutil.copytree(SHADERS, self.folder / "shaders")

@@ -52,6 +52,8 @@ Look fullLook(const TestFolder& folder) {
     look.haze.phase = {PhaseFunction::Kind::kHenyeyGreenstein, 0.6, PhaseFunction{}.k};
     look.beams.method = BeamMethod::kClipped;
     look.beams.planes = 48;
+    look.beams.cellsAcross = 20;
+    look.beams.cellsDown = 12;
     look.sky = SkyLook{SkyKind::kSingle, SunInSky{0.1, 2.0}, 30.0};
     look.ambientLux = 0.1;
     look.ev100 = 7.3;

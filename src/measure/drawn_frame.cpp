@@ -1,4 +1,4 @@
-#include "drawn_frame.h"
+#include "measure/drawn_frame.h"
 
 #include <utility>
 
