@@ -22,6 +22,7 @@
 #include "gltf/read_buffers.h"
 #include "gltf/read_camera.h"
 #include "gltf/read_container.h"
+#include "gltf/read_ies.h"
 #include "gltf/read_images.h"
 #include "gltf/read_light.h"
 #include "gltf/read_material.h"
@@ -219,8 +220,11 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     TextureTable textures(import, images);
     loadMaterials(import, textures, scene, report);
     scene.cameras = readCameras(import, list.gltfNodes, report);
+    IesLamps iesLamps(import);
     for (std::size_t i = 0; i < list.gltfNodes.size(); ++i) {
-        addLamp(import, list.gltfNodes[i], int(i), images, textures, scene, report);
+        if (!iesLamps.add(list.gltfNodes[i], int(i), images, scene, report)) {
+            addLamp(import, list.gltfNodes[i], int(i), images, textures, scene, report);
+        }
     }
     scene.textures = textures.textures();
     scene.images = images.undecoded();

@@ -81,6 +81,19 @@ int ImageTable::useFile(const std::string& path, const Place& place) {
     return use(key, {place, path, -1, path});
 }
 
+int ImageTable::useMade(const std::string& key, Image image) {
+    Request request{import_.file, image.name, -1, ""};
+    request.made = std::make_shared<const Image>(std::move(image));
+    return use("made " + key, std::move(request));
+}
+
+void ImageTable::noteFile(const std::filesystem::path& file) {
+    const std::string identity = identityOf(file);
+    if (!identity.empty()) {
+        files_.insert(identity);
+    }
+}
+
 std::filesystem::path ImageTable::resolve(const std::string& uri, const Place& place) const {
     return resolveUri(uri, import_.folder, place, import_.allowOutside);
 }
@@ -114,6 +127,9 @@ Image ImageTable::decodeOne(const Request& request) const {
                                 : std::string(error.what()));
         }
     };
+    if (request.made) {
+        return *request.made;
+    }
     if (request.image < 0) {
         return decodeFile(
             resolvePath(request.path, import_.folder, request.place, import_.allowOutside),

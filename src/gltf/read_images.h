@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -27,6 +28,11 @@ class ImageTable {
     /// not a URI.
     int useFile(const std::string& path, const Place& place);
 
+    /// Index into the scene's images of one that is made here, which `key` tells from others.
+    int useMade(const std::string& key, Image image);
+    /// Adds a file beside the glTF, which is no image, to files().
+    void noteFile(const std::filesystem::path& file);
+
     /// All that was asked for, with names and without pixels.
     std::vector<Image> undecoded() const;
     /// Reads and decodes all that was asked for, and hands each with its index to `take`, from any
@@ -42,7 +48,8 @@ class ImageTable {
         Place place;
         std::string name;
         int image = -1;    // into the glTF's images, or
-        std::string path;  // a path beside the file
+        std::string path;  // a path beside the file, or
+        std::shared_ptr<const Image> made{};
     };
 
     int use(const std::string& key, Request request);

@@ -163,6 +163,15 @@ def scenes():
                              "NORMAL": scene.accessor("VEC3", 5126, [0, 1, 0] * 3)}])
     scene.json["meshes"][0]["weights"] = [0.5]
 
+    made["ies"] = scene = Scene()
+    scene.triangle()
+    profile = next(ies_files())[1].encode()
+    scene.json["extensionsUsed"] = ["EXT_lights_ies"]
+    scene.json["extensions"] = {"EXT_lights_ies": {"lights": [
+        {"bufferView": scene.view(profile), "mimeType": "application/x-ies-lm-63"}]}}
+    scene.json["nodes"][0]["extensions"] = {
+        "EXT_lights_ies": {"light": 0, "multiplier": 2, "color": [1, 0.5, 0]}}
+
     made["extensions"] = scene = Scene()
     scene.triangle(material=0, extensions={"KHR_materials_variants": {
         "mappings": [{"material": 1, "variants": [0]}]}})
@@ -247,6 +256,21 @@ def pictures():
             b"WEBP" + chunk)
 
 
+def ies_files():
+    def text(head, kind, vertical, horizontal):
+        values = " ".join(str(10 * (i + 1)) for i in range(len(vertical) * len(horizontal)))
+        return (f"{head}\n1 -1 1 {len(vertical)} {len(horizontal)} {kind} 2 0 0 0\n1 1 50\n"
+                f"{' '.join(map(str, vertical))}\n{' '.join(map(str, horizontal))}\n{values}\n")
+
+    yield "round", text("IESNA:LM-63-2002\n[TEST] a\nTILT=NONE", 1, [0, 45, 90], [0])
+    yield "quarter", text("IESNA91\nTILT=NONE", 1, [0, 90, 180], [0, 45, 90])
+    yield "half", text("IES:LM-63-2019\nTILT=NONE", 1, [0, 90], [0, 90, 180])
+    yield "half90", text("IESNA:LM-63-1995\nTILT=NONE", 1, [0, 90], [90, 180, 270])
+    yield "around", text("IESNA:LM-63-1995\nTILT=NONE", 1, [0, 90], [0, 120, 240])
+    yield "type_b", text("IESNA91\nTILT=INCLUDE\n1\n2\n0 90\n1 0.5", 2, [-90, 0, 90], [0, 90])
+    yield "type_a", text("old\nTILT=lamp.tlt", 3, [-45, 45], [-90, 0, 90])
+
+
 def looks():
     for path in sorted((ROOT / "samples/looks").glob("*.json")):
         yield path.stem, path.read_bytes()
@@ -269,6 +293,8 @@ def main(folder):
         write(folder / "glb", f"draco{i}", struct.pack("<H", len(document)) + document + binary)
     for name, content in pictures():
         write(folder / "picture", name, content)
+    for name, content in ies_files():
+        write(folder / "ies", name, content.encode())
     for name, content in looks():
         write(folder / "look", name, content)
 

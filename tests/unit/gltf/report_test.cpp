@@ -38,25 +38,25 @@ TEST(GltfReportTest, FeaturesThatAreNotDrawn) {
 
 TEST(GltfReportTest, ExtensionsAreToldOnceEach) {
     GltfFile file = triangleFile();
-    file.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "EXT_lights_ies"};
+    file.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "EXT_unheard_of"};
     for (int i = 0; i < 3; ++i) {
         file.push(
             "materials",
             {{"extensions",
               {{"KHR_materials_sheen", json::object()}, {"KHR_materials_unlit", json::object()}}}});
     }
-    file.json["nodes"][0]["extensions"]["EXT_lights_ies"] = {{"lightProfile", 0}};
+    file.json["nodes"][0]["extensions"]["EXT_unheard_of"] = {{"lightProfile", 0}};
     // What users keep in extras is theirs.
     file.json["nodes"][0]["extras"]["extensions"]["VENDOR_private"] = json::object();
     const LoadedScene loaded = load(file);
     EXPECT_EQ(loaded.extensionsUsed.size(), 3U);
     EXPECT_EQ(loaded.extensionsIgnored,
-              (std::vector<std::string>{"KHR_materials_sheen", "EXT_lights_ies"}));
+              (std::vector<std::string>{"KHR_materials_sheen", "EXT_unheard_of"}));
     EXPECT_EQ(loaded.report.entries().size(), 2U) << reportText(loaded);
     expectLine(loaded, Report::Kind::kIgnored, "/materials/0/extensions/KHR_materials_sheen",
                "3 places");
-    expectLine(loaded, Report::Kind::kIgnored, "/nodes/0/extensions/EXT_lights_ies",
-               "EXT_lights_ies");
+    expectLine(loaded, Report::Kind::kIgnored, "/nodes/0/extensions/EXT_unheard_of",
+               "EXT_unheard_of");
 }
 
 TEST(GltfReportTest, UnknownCompressionWithFallbackDataIsDrawnFromIt) {
