@@ -7,7 +7,8 @@ python3-openimageio and fonts-dejavu-core.
 
 A model's reference picture has its name, ends in .png, .jpg or .webp, and lies beside it or below one
 of the folders of --references. A model that is refused is a red square; one whose drawing fails, takes
-longer than --seconds or holds pixels that are no numbers is a yellow one, and makes the exit code 1.
+longer than --seconds, makes OpenGL complain or holds pixels that are no numbers is a yellow one, and
+makes the exit code 1.
 """
 
 import argparse
@@ -63,6 +64,9 @@ class Drawer:
         if result.returncode != 0:
             last = (result.stderr.splitlines() or [""])[-1]
             return FAILED, f"exit code {result.returncode}: {last}"
+        complaints = [line for line in result.stderr.splitlines() if "OpenGL error" in line]
+        if complaints:
+            return FAILED, complaints[0]
         stats = oiio.ImageBufAlgo.computePixelStats(oiio.ImageBuf(str(exact)))
         exact.unlink()
         if sum(stats.nancount) + sum(stats.infcount) > 0:

@@ -170,7 +170,7 @@ bool IesLamps::add(std::size_t gltfNode, int sceneNode, ImageTable& images, Scen
     spot.intensityCandela = its->candela * multiplierOf(use, place, report);
     spot.outerConeAngle = its->halfAngle;
     // Where the web goes on past the cone it fades over the last degrees, not to end in a line.
-    spot.innerConeAngle = std::min(its->halfAngle, kFadeFrom);
+    spot.innerConeAngle = its->halfAngle < kMaxConeAngle ? its->halfAngle : kFadeFrom;
     spot.lightMap = LightMap{its->image, 0.0};
     scene.spotLights.push_back(std::move(spot));
     return true;
