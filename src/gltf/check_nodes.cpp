@@ -73,17 +73,19 @@ std::vector<std::size_t> findTops(const std::vector<int>& parents, const Place& 
 // Leaves in each scene's list true roots only, each once.
 void settleRoots(json& scenes, const std::vector<std::size_t>& tops, const Place& place,
                  Report& report) {
+    // By top, the scene that listed it last, counted from 1: a list of its own for every scene
+    // would take a time of scenes times nodes.
+    std::vector<std::size_t> listedBy(tops.size(), 0);
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         const auto roots = scenes[s].find("nodes");
         if (roots == scenes[s].end()) {
             continue;
         }
         json kept = json::array();
-        std::vector<char> seen(tops.size(), 0);
         for (std::size_t r = 0; r < roots->size(); ++r) {
             const auto node = (*roots)[r].get<std::size_t>();
             const std::size_t top = tops[node];
-            const bool isNew = std::exchange(seen[top], 1) == 0;
+            const bool isNew = std::exchange(listedBy[top], s + 1) != s + 1;
             if (top != node) {
                 report.repaired(place.at(s).at("nodes").at(r),
                                 "is node " + std::to_string(node) +

@@ -60,6 +60,10 @@ int ImageTable::useImage(std::size_t image) {
             // Found again, and reported, when it is decoded.
         }
     }
+    const json& view = member(source, "bufferView");
+    if (!uri.is_string() && view.is_number_integer()) {
+        key = "bufferView " + view.dump();
+    }
     if (request.name.empty()) {
         request.name = "image_" + std::to_string(image);
     }

@@ -72,6 +72,24 @@ struct OpenPicture {
         if (spec.deep || spec.depth > 1) {
             throw std::runtime_error("is a deep or volume picture; expected a flat one");
         }
+        checkLayout();
+    }
+
+    // Readers take memory for whole tiles and for rows of all channels, whatever is asked for.
+    void checkLayout() const {
+        constexpr int kMostChannels = 1024;
+        constexpr int kLargestTile = 8192;
+        if (spec.nchannels > kMostChannels) {
+            throw std::runtime_error("has " + std::to_string(spec.nchannels) +
+                                     " channels, over the limit of " +
+                                     std::to_string(kMostChannels) + "; save it with fewer");
+        }
+        if (spec.tile_width > kLargestTile || spec.tile_height > kLargestTile ||
+            std::int64_t(spec.tile_width) * spec.tile_height * spec.nchannels > (1 << 28)) {
+            throw std::runtime_error("has tiles of " + std::to_string(spec.tile_width) + " x " +
+                                     std::to_string(spec.tile_height) +
+                                     " pixels, which are too large; save it without tiles");
+        }
     }
 };
 
