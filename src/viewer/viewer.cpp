@@ -221,6 +221,7 @@ ViewerStats Viewer::run() {
         const bool hasPicture = stage_ && stage_->hasPicture();
         window_.showFrame(hasPicture ? stage_->renderer().targets().screen.name() : 0, facts_.size);
         ++stats_.framesShown;
+        measure(ViewerRequests(state_.requests));
         stats_.glErrors += takeGlErrors().size();
     }
     if (stage_) {

@@ -173,6 +173,9 @@ void Viewer::savePicture() {
 
 void Viewer::carryOut(ViewerRequests requests) {
     state_.requests = {};
+    // Between frames of the window: see run().
+    state_.requests.measureError = requests.measureError;
+    state_.requests.chooseBeams = requests.chooseBeams;
     if (requests.quit) {
         window_.close();
     }
@@ -188,12 +191,6 @@ void Viewer::carryOut(ViewerRequests requests) {
     }
     if (requests.loadLook) {
         loadLook(state_.lookFile, true);
-    }
-    if (requests.measureError) {
-        measureError(*requests.measureError);
-    }
-    if (requests.chooseBeams) {
-        chooseBeams(*requests.chooseBeams);
     }
     if (requests.savePicture && isComplete_) {
         savePicture();

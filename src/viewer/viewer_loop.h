@@ -55,6 +55,7 @@ class Viewer {
     void savePicture();
 
     // Measurements (viewer_measure.cpp).
+    void measure(const ViewerRequests& requests);
     void measureError(ErrorEstimate::Against against);
     void chooseBeams(const BeamGoal& goal);
     std::string errorSoFar() const;

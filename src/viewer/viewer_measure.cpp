@@ -13,6 +13,17 @@ struct Closing {};
 
 }  // namespace
 
+void Viewer::measure(const ViewerRequests& requests) {
+    state_.requests.measureError.reset();
+    state_.requests.chooseBeams.reset();
+    if (stage_ && requests.measureError) {
+        measureError(*requests.measureError);
+    }
+    if (stage_ && requests.chooseBeams) {
+        chooseBeams(*requests.chooseBeams);
+    }
+}
+
 void Viewer::measureError(ErrorEstimate::Against against) {
     error_.reset();
     const FrameSettings still = stillSettings();
