@@ -38,6 +38,7 @@ void Viewer::measureError(ErrorEstimate::Against against) {
         const double ev100 = facts_.ev100.value_or(0.0);
         error_ = std::make_unique<ErrorEstimate>(stage_->lendRenderer(), stage_->scene(),
                                                  state_.view.camera, still, ev100, against);
+        stage_->takeTimes();  // of frames that are not shown
         drawStill(still);
     } catch (const std::exception& error) {
         state_.sayError(oneLine(error.what()));
