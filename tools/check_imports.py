@@ -16,7 +16,7 @@ import tempfile
 MAY_INCLUDE = {
     "base": set(),
     "image": {"base"},
-    "scene": {"base", "image"},
+    "scene": {"base", "image", "optics"},
     "gltf": {"base", "image", "scene"},
     "optics": {"base"},
     "sky": {"base", "scene", "optics"},

@@ -12,6 +12,7 @@ const int kAtmosphereSlot = 4;
 const int kSkySlot = 5;
 const int kPrecomputedSkySlot = 6;
 const int kSunShadowSlot = 7;
+const int kDeformJobSlot = 8;  // a window onto the primitive at hand
 // Shader storage.
 const int kLampsSlot = 0;
 const int kPointLampsSlot = 1;
@@ -28,6 +29,14 @@ const int kSkyEdgesSlot = 5;
 const int kRunCountsSlot = 1;      // while beams are drawn
 const int kSkyRaysSlot = 0;        // while listed rays of the sky are asked for
 const int kSkyLightsSlot = 1;
+// While meshes are deformed, before all else.
+const int kDeformRestSlot = 0;
+const int kDeformInfluencesSlot = 1;
+const int kDeformJointsSlot = 2;
+const int kDeformActiveSlot = 3;
+const int kDeformTargetsSlot = 4;
+const int kDeformPositionsSlot = 5;
+const int kDeformAttributesSlot = 6;
 // Textures.
 const int kShadowMapsUnit = 0;
 const int kLightMapsUnit = 1;

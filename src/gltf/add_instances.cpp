@@ -161,7 +161,8 @@ void addInstances(const Import& import, NodeList& list, Report& report) {
     const Where nodes(root, "nodes");
     Tally custom;
     std::size_t taken = 0;
-    for (std::size_t i = 0; i < list.gltfNodes.size(); ++i) {
+    // Skinned meshes, which stand behind the scene's own nodes, are placed by their joints alone.
+    for (std::size_t i = 0; i < list.inScene; ++i) {
         const json& object =
             extension(element(import.json, "nodes", list.gltfNodes[i]), kInstancing);
         if (object.is_null() || list.nodes[i].mesh < 0) {
@@ -171,6 +172,10 @@ void addInstances(const Import& import, NodeList& list, Report& report) {
         const Where extensions(node, "extensions");
         const Where where(extensions, kInstancing);
         const Place place = where.place();
+        if (list.nodes[i].deformer >= 0) {
+            report.ignored(place, "is of a mesh with morph targets, which is drawn once, at its node");
+            continue;
+        }
         try {
             const Attributes attributes =
                 readInstanceAttributes(import, object, kMaxInstances - taken, place);

@@ -53,6 +53,9 @@ std::optional<std::size_t> movesOutOfBounds(const Scene& scene, const std::vecto
     }
     for (const Animation& animation : scene.animations) {
         for (const AnimationChannel& channel : animation.channels) {
+            if (channel.part == AnimationChannel::Part::kWeights) {
+                continue;
+            }
             Reach& reach = local[std::size_t(scene.movers[std::size_t(channel.mover)].node)];
             const AnimationSampler& sampler = animation.samplers[std::size_t(channel.sampler)];
             if (channel.part == AnimationChannel::Part::kTranslation) {

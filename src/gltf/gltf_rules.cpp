@@ -20,6 +20,10 @@ const JsonRule kName{.key = "name", .is = Is::kString, .onFault = On::kRepair};
 
 const JsonRule kExtensions{.key = "extensions", .is = Is::kObject, .onFault = On::kRepair};
 
+// Of morph targets. A product with a displacement still fits single precision.
+const JsonRule kWeights{
+    .key = "weights", .is = Is::kNumbers, .onFault = On::kRepair, .low = -1e6, .high = 1e6};
+
 const JsonRule kAssetRules[] = {
     {.key = "version", .is = Is::kString, .required = true},
     {.key = "minVersion", .is = Is::kString},
@@ -47,6 +51,8 @@ const JsonRule kNodeRules[] = {
     {.key = "translation", .is = Is::kNumbers, .length = 3},
     {.key = "rotation", .is = Is::kNumbers, .length = 4},
     {.key = "scale", .is = Is::kNumbers, .length = 3},
+    {.key = "skin", .is = Is::kIndex, .onFault = On::kRepair, .into = "skins"},
+    kWeights,
 };
 const JsonRule kPrimitiveRules[] = {
     kExtensions,
@@ -54,9 +60,11 @@ const JsonRule kPrimitiveRules[] = {
     {.key = "indices", .is = Is::kIndex, .into = "accessors"},
     {.key = "material", .is = Is::kIndex, .onFault = On::kRepair, .into = "materials"},
     {.key = "mode", .is = Is::kInteger, .values = {0, 1, 2, 3, 4, 5, 6}},
+    {.key = "targets", .is = Is::kIndexMaps, .onFault = On::kRepair, .into = "accessors"},
 };
 const JsonRule kMeshRules[] = {
     kName,
+    kWeights,
     {.key = "primitives", .is = Is::kObjects, .required = true, .members = kPrimitiveRules},
 };
 const JsonRule kSparseIndexRules[] = {
@@ -246,6 +254,13 @@ const JsonRule kLightRules[] = {
     {.key = "spot", .is = Is::kObject, .onFault = On::kRepair, .members = kSpotRules},
 };
 
+const JsonRule kSkinRules[] = {
+    kName,
+    {.key = "inverseBindMatrices", .is = Is::kIndex, .onFault = On::kRepair, .into = "accessors"},
+    {.key = "skeleton", .is = Is::kIndex, .onFault = On::kRepair, .into = "nodes"},
+    {.key = "joints", .is = Is::kIndices, .required = true, .into = "nodes"},
+};
+
 const JsonRule kAnimationSamplerRules[] = {
     {.key = "input", .is = Is::kIndex, .required = true, .into = "accessors"},
     {.key = "output", .is = Is::kIndex, .required = true, .into = "accessors"},
@@ -268,6 +283,10 @@ std::span<const JsonRule> gltfRules() {
 
 std::span<const JsonRule> lightRules() {
     return kLightRules;
+}
+
+std::span<const JsonRule> skinRules() {
+    return kSkinRules;
 }
 
 std::span<const JsonRule> animationSamplerRules() {

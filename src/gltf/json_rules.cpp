@@ -113,7 +113,7 @@ void checkArrayOf(const json& value, const char* what, const Where& where) {
 
 void checkNumbers(json& value, const JsonRule& rule, const Where& where, Report& report) {
     checkArrayOf(value, "numbers", where);
-    if (value.size() != rule.length) {
+    if (rule.length != 0 && value.size() != rule.length) {
         throw JsonFault{where.place(), "has " + std::to_string(value.size()) +
                                            " numbers, expected " + std::to_string(rule.length)};
     }
@@ -145,6 +145,15 @@ void checkObject(json& value, const JsonRule& rule, const Where& where, const js
     checkMembers(value, rule.members, where, root, report);
 }
 
+void checkIndexMap(json& value, const char* into, const Where& where, const json& root) {
+    if (!value.is_object()) {
+        throw JsonFault{where.place(), "is " + shown(value) + ", expected an object"};
+    }
+    for (auto& [key, index] : value.items()) {
+        checkIndex(index, into, Where(where, key), root);
+    }
+}
+
 void checkValue(json& value, const JsonRule& rule, const Where& where, const json& root,
                 Report& report) {
     switch (rule.is) {
@@ -166,22 +175,17 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
         case Is::kObject:
             return checkObject(value, rule, where, root, report);
         case Is::kIndexMap:
-            if (!value.is_object()) {
-                throw JsonFault{where.place(), "is " + shown(value) + ", expected an object"};
-            }
-            for (auto& [key, index] : value.items()) {
-                checkIndex(index, rule.into, Where(where, key), root);
-            }
-            return;
+            return checkIndexMap(value, rule.into, where, root);
         case Is::kIndices:
+        case Is::kIndexMaps:
         case Is::kStrings:
         case Is::kObjects:
             break;
     }
     checkArrayOf(value,
-                 rule.is == Is::kObjects   ? "objects"
-                 : rule.is == Is::kIndices ? "indices"
-                                           : "strings",
+                 rule.is == Is::kObjects || rule.is == Is::kIndexMaps ? "objects"
+                 : rule.is == Is::kIndices                            ? "indices"
+                                                                      : "strings",
                  where);
     for (std::size_t i = 0; i < value.size(); ++i) {
         const Where here(where, i);
@@ -189,6 +193,8 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
             checkObject(value[i], rule, here, root, report);
         } else if (rule.is == Is::kIndices) {
             checkIndex(value[i], rule.into, here, root);
+        } else if (rule.is == Is::kIndexMaps) {
+            checkIndexMap(value[i], rule.into, here, root);
         } else {
             checkString(value[i], rule, here);
         }

@@ -20,10 +20,11 @@ struct JsonRule {
         kInteger,  ///< within low..high, also written as 3.0
         kBool,
         kString,
-        kIndex,     ///< an integer that counts into the top-level array `into`
-        kIndices,   ///< an array of those
-        kIndexMap,  ///< an object whose members are those
-        kNumbers,   ///< an array of `length` numbers, each within low..high
+        kIndex,      ///< an integer that counts into the top-level array `into`
+        kIndices,    ///< an array of those
+        kIndexMap,   ///< an object whose members are those
+        kIndexMaps,  ///< an array of such objects
+        kNumbers,    ///< an array of `length` numbers, of any if 0, each within low..high
         kStrings,
         kObject,   ///< checked against `members`
         kObjects,  ///< an array of those
@@ -63,6 +64,9 @@ void checkMembers(nlohmann::json& object, std::span<const JsonRule> rules, const
 /// The rules of a glTF document, and of the member `KHR_lights_punctual` of its extensions.
 std::span<const JsonRule> gltfRules();
 std::span<const JsonRule> lightRules();
+
+/// The rules of one skin.
+std::span<const JsonRule> skinRules();
 
 /// The rules of what stands in an animation's lists.
 std::span<const JsonRule> animationSamplerRules();

@@ -22,6 +22,7 @@
 #include "gltf/read_buffers.h"
 #include "gltf/read_camera.h"
 #include "gltf/read_container.h"
+#include "gltf/read_deformers.h"
 #include "gltf/read_ies.h"
 #include "gltf/read_images.h"
 #include "gltf/read_light.h"
@@ -29,6 +30,7 @@
 #include "gltf/read_mesh.h"
 #include "gltf/read_nodes.h"
 #include "gltf/report_oddities.h"
+#include "gltf/report_shapes.h"
 #include "gltf/report_unread.h"
 
 namespace ribalta {
@@ -92,7 +94,19 @@ std::vector<std::size_t> loadMeshes(const Import& import, Scene& scene, Report& 
     }
     normalMapUvs.push_back(-1);
     std::vector<std::size_t> chosen = chooseMeshes(scene.nodes, import.model.meshes.size());
-    scene.meshes = readMeshes(import, chosen, normalMapUvs, report);
+    std::vector<MeshUse> uses(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        uses[i].mesh = chosen[i];
+    }
+    for (const Deformer& deformer : scene.deformers) {
+        MeshUse& use = uses[std::size_t(scene.nodes[std::size_t(deformer.node)].mesh)];
+        use.isMorphed = use.isMorphed || !deformer.restWeights.empty();
+        if (deformer.skin >= 0) {
+            use.joints =
+                std::max(use.joints, scene.skins[std::size_t(deformer.skin)].joints.size());
+        }
+    }
+    scene.meshes = readMeshes(import, uses, normalMapUvs, report);
     return chosen;
 }
 
@@ -196,6 +210,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     loaded.variantNames = chooseVariant(import.json, options.variant, import.file, report);
     import.model = parseModel(import.json, import.file);
     reportUnread(import, report);
+    reportShapes(import, report);
     const ChosenScene chosen = chooseScene(import, options.scene, report);
     loaded.sceneNames = chosen.allNames;
     loaded.sceneIndex = chosen.index;
@@ -207,6 +222,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     import.packed = findPackedViews(import.json);
     watch.lap("buffers");
 
+    readDeformers(import, list, scene, report);
     readAnimations(import, list, scene, report);
     leaveOutVanished(list, scene.movers, import, report);
     addInstances(import, list, report);
@@ -219,6 +235,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
 
     TextureTable textures(import, images);
     loadMaterials(import, textures, scene, report);
+    list.gltfNodes.resize(list.inScene);
     scene.cameras = readCameras(import, list.gltfNodes, report);
     IesLamps iesLamps(import);
     for (std::size_t i = 0; i < list.gltfNodes.size(); ++i) {

@@ -8,14 +8,17 @@ namespace ribalta::gltf {
 namespace {
 
 template <typename T>
-void unshare(std::vector<T>& values, const std::vector<std::uint32_t>& indices) {
+void unshare(std::vector<T>& values, const std::vector<std::uint32_t>& indices,
+             std::size_t each = 1) {
     if (values.empty()) {
         return;
     }
     std::vector<T> own;
-    own.reserve(indices.size());
+    own.reserve(indices.size() * each);
     for (const std::uint32_t index : indices) {
-        own.push_back(values[index]);
+        for (std::size_t i = 0; i < each; ++i) {
+            own.push_back(values[index * each + i]);
+        }
     }
     values = std::move(own);
 }
@@ -27,6 +30,13 @@ void makeFlatNormals(Primitive& primitive) {
     unshare(primitive.uv0, primitive.indices);
     unshare(primitive.uv1, primitive.indices);
     unshare(primitive.colors, primitive.indices);
+    unshare(primitive.influences, primitive.indices, std::size_t(primitive.influencesPerVertex));
+    for (MorphTarget& target : primitive.targets) {
+        unshare(target.positions, primitive.indices);
+        target.normals.clear();
+        target.tangents.clear();
+    }
+    primitive.flatNormals = true;
     // Tangents without normals have no meaning; glTF asks to ignore them.
     primitive.tangents.clear();
     std::iota(primitive.indices.begin(), primitive.indices.end(), 0U);

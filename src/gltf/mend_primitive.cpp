@@ -100,14 +100,17 @@ void dropNonFinite(Primitive& primitive, const Place& place, Report& report) {
 }
 
 template <typename T>
-void keepVertices(std::vector<T>& values, const std::vector<std::uint32_t>& kept) {
+void keepVertices(std::vector<T>& values, const std::vector<std::uint32_t>& kept,
+                  std::size_t each = 1) {
     if (values.empty()) {
         return;
     }
     std::vector<T> result;
-    result.reserve(kept.size());
+    result.reserve(kept.size() * each);
     for (const std::uint32_t vertex : kept) {
-        result.push_back(values[vertex]);
+        for (std::size_t i = 0; i < each; ++i) {
+            result.push_back(values[vertex * each + i]);
+        }
     }
     values = std::move(result);
 }
@@ -138,6 +141,12 @@ void dropUnusedVertices(Primitive& primitive) {
     keepVertices(primitive.uv0, kept);
     keepVertices(primitive.uv1, kept);
     keepVertices(primitive.colors, kept);
+    keepVertices(primitive.influences, kept, std::size_t(primitive.influencesPerVertex));
+    for (MorphTarget& target : primitive.targets) {
+        keepVertices(target.positions, kept);
+        keepVertices(target.normals, kept);
+        keepVertices(target.tangents, kept);
+    }
 }
 
 // Normals and tangents of unit length; those that have no direction get a stand-in.

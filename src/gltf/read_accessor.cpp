@@ -243,6 +243,24 @@ std::vector<glm::vec4> readVec4(const Import& import, std::size_t accessor) {
     return readVectors<4>(import, accessor);
 }
 
+std::vector<glm::mat4> readMat4(const Import& import, std::size_t index) {
+    const tinygltf::Accessor& accessor = import.model.accessors.at(index);
+    if (accessor.type != TINYGLTF_TYPE_MAT4 || accessor.componentType != kFloat32) {
+        badInput(import.file.at("accessors").at(index),
+                 "does not hold MAT4 of floats, as inverse bind matrices are; export the file "
+                 "again");
+    }
+    std::vector<glm::mat4> result;
+    forEachElement(
+        import, index, 16, [&](std::size_t count) { result.assign(count, glm::mat4(0.0F)); },
+        [&](std::size_t element, const std::byte* bytes) {
+            for (int i = 0; i < 16; ++i) {
+                result[element][i / 4][i % 4] = load<float>(bytes + std::size_t(i) * 4);
+            }
+        });
+    return result;
+}
+
 std::vector<glm::vec4> readColors(const Import& import, std::size_t accessor) {
     const int components = componentsOf(import.model.accessors.at(accessor));
     return readVectors<4>(import, accessor, components == 3 ? 3 : 4, 1.0F);

@@ -23,6 +23,9 @@ std::vector<glm::vec2> readVec2(const Import& import, std::size_t accessor);
 std::vector<glm::vec3> readVec3(const Import& import, std::size_t accessor);
 std::vector<glm::vec4> readVec4(const Import& import, std::size_t accessor);
 
+/// MAT4 of floats. Throws Error(kBadInput).
+std::vector<glm::mat4> readMat4(const Import& import, std::size_t accessor);
+
 /// VEC4, or VEC3 with 1 as the fourth.
 std::vector<glm::vec4> readColors(const Import& import, std::size_t accessor);
 

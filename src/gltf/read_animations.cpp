@@ -22,6 +22,8 @@ using nlohmann::json;
 using Part = AnimationChannel::Part;
 using Interpolation = AnimationSampler::Interpolation;
 
+// A product with a displacement still fits single precision.
+constexpr float kLargestWeight = 1e6F;
 constexpr const char* kLeftOut = "; the channels that use this are left out";
 
 Interpolation interpolationOf(const json& sampler) {
@@ -35,7 +37,13 @@ std::optional<Part> partOf(const std::string& path) {
     return path == "translation" ? std::optional(Part::kTranslation)
            : path == "rotation"  ? std::optional(Part::kRotation)
            : path == "scale"     ? std::optional(Part::kScale)
+           : path == "weights"   ? std::optional(Part::kWeights)
                                  : std::nullopt;
+}
+
+// Values, or rows of weights, of one key.
+std::size_t keyLength(Interpolation interpolation) {
+    return interpolation == Interpolation::kCubicSpline ? 3 : 1;
 }
 
 // Throws Error(kBadInput) where the keys are in no order.
@@ -54,7 +62,7 @@ void checkSeconds(const std::vector<float>& seconds, const Place& place) {
 
 // Throws Error(kBadInput) where there is no value, or a rotation that turns nothing.
 void checkValues(const AnimationSampler& sampler, bool isRotation, const Place& place) {
-    const std::size_t step = sampler.interpolation == Interpolation::kCubicSpline ? 3 : 1;
+    const std::size_t step = keyLength(sampler.interpolation);
     for (std::size_t i = 0; i < sampler.values.size(); ++i) {
         const glm::dvec4 value(sampler.values[i]);
         const double length = glm::length(value);
@@ -74,24 +82,38 @@ class Reader {
         for (std::size_t i = 0; i < list.gltfNodes.size(); ++i) {
             sceneNodes_.emplace(list.gltfNodes[i], i);
         }
+        for (std::size_t i = 0; i < scene.deformers.size(); ++i) {
+            if (!scene.deformers[i].restWeights.empty()) {
+                deformers_.emplace(list.gltfNodes[std::size_t(scene.deformers[i].node)], int(i));
+            }
+        }
     }
 
     void readAll();
 
   private:
+    // What a sampler's numbers mean: how they are read.
+    struct Values {
+        Part part = Part::kTranslation;  ///< kTranslation stands for kScale too
+        std::size_t targets = 0;         ///< of kWeights
+        auto operator<=>(const Values&) const = default;
+    };
+
     struct Source {
         const json& text;
         const Where& where;
-        std::map<std::pair<std::size_t, bool>, int> samplers;  ///< by index and being rotations
+        std::map<std::pair<std::size_t, Values>, int> samplers;  ///< by index and meaning
         std::set<std::pair<int, Part>> moved;
     };
 
     void readChannel(Source& source, std::size_t index, Animation& animation);
     std::optional<std::size_t> nodeOf(const json& target, const Where& where);
     int moverOf(std::size_t node, const Where& where);
-    int samplerOf(Source& source, std::size_t index, bool isRotation, Animation& animation);
-    AnimationSampler readSampler(const json& source, bool isRotation);
-    void checkAccessors(const json& source, bool isRotation);
+    int deformerOf(std::size_t node, const Where& where);
+    int samplerOf(Source& source, std::size_t index, Values values, Animation& animation);
+    AnimationSampler readSampler(const json& source, const Values& values);
+    void readWeights(std::size_t output, std::size_t targets, AnimationSampler& sampler);
+    void checkAccessors(const json& source, const Values& values);
     void hintAtRivals();
 
     const Import& import_;
@@ -99,6 +121,7 @@ class Reader {
     Scene& scene_;
     Report& report_;
     std::map<std::size_t, std::size_t> sceneNodes_;  ///< by the glTF's index
+    std::map<std::size_t, int> deformers_;           ///< with morph targets, by the glTF's index
     std::map<std::size_t, int> movers_;              ///< by node of the scene; -1: has a matrix
     std::size_t valuesLeft_ = kMaxAnimationValues;
     Tally ignored_;
@@ -147,10 +170,9 @@ void Reader::readChannel(Source& source, std::size_t index, Animation& animation
     const auto& path = target["path"].get_ref<const std::string&>();
     const std::optional<Part> part = partOf(path);
     if (!part) {
-        ignored_.add(path == "weights"   ? "weights of morph targets are not played"
-                     : path == "pointer" ? "is animated by KHR_animation_pointer; not played"
-                                         : "is none of translation, rotation, scale, weights; "
-                                           "the channel is left out",
+        ignored_.add(path == "pointer" ? "is animated by KHR_animation_pointer; not played"
+                                       : "is none of translation, rotation, scale, weights; "
+                                         "the channel is left out",
                      Where(targetWhere, "path"));
         return;
     }
@@ -166,7 +188,11 @@ void Reader::readChannel(Source& source, std::size_t index, Animation& animation
         return;  // told already
     }
     const std::optional<std::size_t> node = nodeOf(target, targetWhere);
-    const int mover = node ? moverOf(*node, targetWhere) : -1;
+    if (!node) {
+        return;
+    }
+    const int mover =
+        *part == Part::kWeights ? deformerOf(*node, targetWhere) : moverOf(*node, targetWhere);
     if (mover < 0) {
         return;
     }
@@ -176,11 +202,24 @@ void Reader::readChannel(Source& source, std::size_t index, Animation& animation
             targetWhere);
         return;
     }
-    const int sampler = samplerOf(source, samplerIndex, *part == Part::kRotation, animation);
+    const std::size_t targets =
+        *part == Part::kWeights ? scene_.deformers[std::size_t(mover)].restWeights.size() : 0;
+    const int sampler = samplerOf(source, samplerIndex, {*part, targets}, animation);
     if (sampler >= 0) {
         source.moved.insert({mover, *part});
         animation.channels.push_back({mover, sampler, *part});
     }
+}
+
+// Into Scene::deformers: the one whose weights the node of the glTF has.
+int Reader::deformerOf(std::size_t node, const Where& where) {
+    const auto found = deformers_.find(list_.gltfNodes[node]);
+    if (found == deformers_.end()) {
+        ignored_.add("is a node without morph targets; the channel is left out",
+                     Where(where, "node"));
+        return -1;
+    }
+    return found->second;
 }
 
 std::optional<std::size_t> Reader::nodeOf(const json& target, const Where& where) {
@@ -217,11 +256,12 @@ int Reader::moverOf(std::size_t node, const Where& where) {
 }
 
 // Into Animation::samplers; -1 where it cannot be used, which is told once.
-int Reader::samplerOf(Source& source, std::size_t index, bool isRotation, Animation& animation) {
-    const auto [known, isNew] = source.samplers.try_emplace({index, isRotation}, -1);
+int Reader::samplerOf(Source& source, std::size_t index, Values values, Animation& animation) {
+    values.part = values.part == Part::kScale ? Part::kTranslation : values.part;
+    const auto [known, isNew] = source.samplers.try_emplace({index, values}, -1);
     if (isNew) {
         try {
-            animation.samplers.push_back(readSampler(source.text["samplers"][index], isRotation));
+            animation.samplers.push_back(readSampler(source.text["samplers"][index], values));
             known->second = int(animation.samplers.size()) - 1;
         } catch (const Error& error) {
             report_.ignored(error.place(), reasonOf(error) + kLeftOut);
@@ -230,8 +270,8 @@ int Reader::samplerOf(Source& source, std::size_t index, bool isRotation, Animat
     return known->second;
 }
 
-AnimationSampler Reader::readSampler(const json& source, bool isRotation) {
-    checkAccessors(source, isRotation);
+AnimationSampler Reader::readSampler(const json& source, const Values& values) {
+    checkAccessors(source, values);
     const auto input = source["input"].get<std::size_t>();
     const auto output = source["output"].get<std::size_t>();
     const Place accessors = import_.file.at("accessors");
@@ -244,7 +284,10 @@ AnimationSampler Reader::readSampler(const json& source, bool isRotation) {
         const Where list(root, "accessors");
         hints_.add("has times below 0, which are not reached", Where(list, input));
     }
-    if (isRotation) {
+    const bool isRotation = values.part == Part::kRotation;
+    if (values.part == Part::kWeights) {
+        readWeights(output, values.targets, sampler);
+    } else if (isRotation) {
         sampler.values = readVec4(import_, output);
     } else {
         for (const glm::vec3& value : readVec3(import_, output)) {
@@ -255,8 +298,39 @@ AnimationSampler Reader::readSampler(const json& source, bool isRotation) {
     return sampler;
 }
 
+// Rows of as many weights as there are targets: of longer ones the first, shorter ones are filled
+// up with 0. Throws Error(kBadInput).
+void Reader::readWeights(std::size_t output, std::size_t targets, AnimationSampler& sampler) {
+    const std::vector<float> read = readScalars(import_, output);
+    const Place place = import_.file.at("accessors").at(output);
+    const auto wrong = std::find_if(read.begin(), read.end(), [](float weight) {
+        return !(std::abs(weight) <= kLargestWeight);
+    });
+    if (wrong != read.end()) {
+        badInput(place, "is not finite, or over " + json(kLargestWeight).dump() + ", at element " +
+                            std::to_string(wrong - read.begin()));
+    }
+    const std::size_t rows = sampler.seconds.size() * keyLength(sampler.interpolation);
+    const std::size_t inRow = read.size() / rows;
+    if (inRow != targets) {
+        report_.repaired(place.at("count"), "gives each key " + counted(inRow, "weights") +
+                                                " for " + counted(targets, "morph targets") +
+                                                (inRow < targets ? "; 0 is used for the others"
+                                                                 : "; the others are left out"));
+    }
+    sampler.targets = targets;
+    sampler.weights.resize(rows * targets, 0.0F);
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t t = 0; t < std::min(inRow, targets); ++t) {
+            sampler.weights[row * targets + t] = read[row * inRow + t];
+        }
+    }
+}
+
 // Throws Error(kBadInput) where types or counts do not fit, before memory is taken.
-void Reader::checkAccessors(const json& source, bool isRotation) {
+void Reader::checkAccessors(const json& source, const Values& use) {
+    const bool isRotation = use.part == Part::kRotation;
+    const bool isWeights = use.part == Part::kWeights;
     const auto input = source["input"].get<std::size_t>();
     const auto output = source["output"].get<std::size_t>();
     const tinygltf::Accessor& times = import_.model.accessors[input];
@@ -266,10 +340,13 @@ void Reader::checkAccessors(const json& source, bool isRotation) {
         times.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
         badInput(accessors.at(input), "does not hold float scalars, as the times of keys do");
     }
-    if (values.type != (isRotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3)) {
+    if (values.type != (isRotation  ? TINYGLTF_TYPE_VEC4
+                        : isWeights ? TINYGLTF_TYPE_SCALAR
+                                    : TINYGLTF_TYPE_VEC3)) {
         badInput(accessors.at(output).at("type"),
-                 std::string("is not ") + (isRotation ? "VEC4, as rotations are"
-                                                      : "VEC3, as translations and scales are"));
+                 std::string("is not ") + (isRotation  ? "VEC4, as rotations are"
+                                           : isWeights ? "SCALAR, as weights are"
+                                                       : "VEC3, as translations and scales are"));
     }
     if (values.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT &&
         (!values.normalized || values.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)) {
@@ -277,19 +354,32 @@ void Reader::checkAccessors(const json& source, bool isRotation) {
                  "holds neither floats nor normalized integers of 8 or 16 "
                  "bits, as the values of keys are");
     }
-    const std::size_t each = interpolationOf(source) == Interpolation::kCubicSpline ? 3 : 1;
-    if (values.count / each != times.count || values.count % each != 0) {
+    const std::size_t each = keyLength(interpolationOf(source));
+    if (isWeights &&
+        (values.count / each < times.count || values.count % (each * times.count) != 0)) {
+        badInput(accessors.at(output).at("count"),
+                 "is " + std::to_string(values.count) + ", expected " +
+                     std::to_string(each * use.targets) + " for each of the " +
+                     counted(times.count, "keys") + " in accessor " + std::to_string(input));
+    }
+    if (!isWeights && (values.count / each != times.count || values.count % each != 0)) {
         badInput(accessors.at(output).at("count"),
                  "is " + std::to_string(values.count) + ", expected " +
                      (each == 3 ? "three for each of the " : "one for each of the ") +
                      counted(times.count, "keys") + " in accessor " + std::to_string(input));
     }
-    if (values.count > valuesLeft_) {
-        badInput(accessors.at(output), "has " + counted(values.count, "elements") + "; at most " +
+    // Of weights what is kept counts too, which may be more than is read; no product overflows
+    // where what is read is in bounds.
+    const bool isOver = values.count > valuesLeft_;
+    const std::size_t kept = isWeights && !isOver
+                                 ? std::max(values.count, each * times.count * use.targets)
+                                 : values.count;
+    if (kept > valuesLeft_) {
+        badInput(accessors.at(output), "has " + counted(kept, "elements") + "; at most " +
                                            std::to_string(kMaxAnimationValues) +
                                            " are read, of all animations together");
     }
-    valuesLeft_ -= values.count;
+    valuesLeft_ -= kept;
     const Where root(import_.file);
     const Where list(root, "accessors");
     for (const std::size_t accessor : {input, output}) {

@@ -20,7 +20,8 @@ using nlohmann::json;
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
-std::optional<std::size_t> accessorOf(const tinygltf::Primitive& source, const char* attribute) {
+std::optional<std::size_t> accessorOf(const tinygltf::Primitive& source,
+                                      const std::string& attribute) {
     const auto found = source.attributes.find(attribute);
     return found == source.attributes.end() ? std::nullopt
                                             : std::optional(std::size_t(found->second));
@@ -86,10 +87,19 @@ struct DracoWishes {
 };
 
 DracoWishes readDracoWishes(const Import& import, const tinygltf::Primitive& source,
-                            const json& ids, const Place& place, Report& report) {
-    constexpr std::pair<const char*, int> kWanted[] = {{"POSITION", 3},   {"NORMAL", 3},
+                            const json& ids, bool withJoints, const Place& place, Report& report) {
+    std::vector<std::pair<std::string, int>> wanted = {{"POSITION", 3},   {"NORMAL", 3},
                                                        {"TANGENT", 4},    {"TEXCOORD_0", 2},
                                                        {"TEXCOORD_1", 2}, {"COLOR_0", 3}};
+    const auto isThere = [&](const std::string& name) {
+        return ids.contains(name) && source.attributes.contains(name);
+    };
+    for (std::size_t n = 0; withJoints && isThere("JOINTS_" + std::to_string(n)) &&
+                            isThere("WEIGHTS_" + std::to_string(n));
+         ++n) {
+        wanted.emplace_back("JOINTS_" + std::to_string(n), 4);
+        wanted.emplace_back("WEIGHTS_" + std::to_string(n), 4);
+    }
     for (const auto& [name, id] : ids.items()) {
         if (!source.attributes.contains(name)) {
             report.ignored(place.at("attributes").at(name),
@@ -97,7 +107,7 @@ DracoWishes readDracoWishes(const Import& import, const tinygltf::Primitive& sou
         }
     }
     DracoWishes wishes;
-    for (const auto& [name, components] : kWanted) {
+    for (const auto& [name, components] : wanted) {
         const auto id = ids.find(name);
         if (id == ids.end()) {
             continue;
@@ -141,7 +151,8 @@ void reportAccessorOffsets(const Import& import, const tinygltf::Primitive& sour
 }
 
 void readFromDraco(const Import& import, const tinygltf::Primitive& source, const json& draco,
-                   const Place& place, Primitive& target, Report& report) {
+                   const Place& place, Primitive& target, std::vector<JointSet>* joints,
+                   Report& report) {
     const json& view = member(draco, "bufferView");
     const json& ids = member(draco, "attributes");
     if (!view.is_number_integer() || view < 0 || view >= import.model.bufferViews.size()) {
@@ -150,7 +161,8 @@ void readFromDraco(const Import& import, const tinygltf::Primitive& source, cons
     if (!ids.is_object()) {
         badInput(place, "lacks its attributes; export the mesh again");
     }
-    const DracoWishes wishes = readDracoWishes(import, source, ids, place, report);
+    const DracoWishes wishes =
+        readDracoWishes(import, source, ids, joints != nullptr, place, report);
     const std::size_t expectedFaces =
         source.indices >= 0 ? import.model.accessors[std::size_t(source.indices)].count / 3 : 0;
     DracoMesh mesh = decodeDraco(viewBytes(import, view.get<std::size_t>()), wishes.requests,
@@ -168,8 +180,12 @@ void readFromDraco(const Import& import, const tinygltf::Primitive& source, cons
             take(attribute, target.uv0);
         } else if (name == "TEXCOORD_1") {
             take(attribute, target.uv1);
-        } else {
+        } else if (name == "COLOR_0") {
             take(attribute, target.colors);
+        } else if (name.starts_with("JOINTS_")) {
+            take(attribute, joints->emplace_back().joints);
+        } else {
+            take(attribute, joints->back().weights);  // which follow their joints
         }
     }
     target.indices = std::move(mesh.indices);
@@ -184,13 +200,17 @@ void readFromDraco(const Import& import, const tinygltf::Primitive& source, cons
 }  // namespace
 
 int readAttributes(const Import& import, const tinygltf::Primitive& source, const json& object,
-                   const Place& place, Primitive& target, Report& report) {
+                   const Place& place, Primitive& target, std::vector<JointSet>* joints,
+                   Report& report) {
     const json& draco = extension(object, kDraco);
     if (draco.is_null()) {
         readFromAccessors(import, source, place, target, report);
+        if (joints != nullptr) {
+            *joints = readJointSets(import, source, place, report);
+        }
         return source.mode;
     }
-    readFromDraco(import, source, draco, place.at("extensions").at(kDraco), target, report);
+    readFromDraco(import, source, draco, place.at("extensions").at(kDraco), target, joints, report);
     return TINYGLTF_MODE_TRIANGLES;
 }
 

@@ -14,18 +14,32 @@
 #include "gltf/make_topology.h"
 #include "gltf/mend_primitive.h"
 #include "gltf/read_attributes.h"
+#include "gltf/read_deformers.h"
+#include "gltf/read_influences.h"
+#include "gltf/read_targets.h"
 #include "gltf/tally.h"
 
 namespace ribalta::gltf {
 namespace {
 
+using nlohmann::json;
+
 // What one thread turns one glTF primitive into.
 struct Job {
-    std::size_t mesh = 0;       // into the file's meshes
+    MeshUse use;
     std::size_t primitive = 0;  // of that mesh
     std::optional<Primitive> result;
     std::optional<Error> fault;  // why there is no result, where the file is to blame
     Report report;
+};
+
+// How many displacements of morph targets may still be read, of all primitives together.
+class Displacements {
+  public:
+    bool take(std::uint64_t count) { return taken_.fetch_add(count) + count <= kMaxDisplacements; }
+
+  private:
+    std::atomic<std::uint64_t> taken_ = 0;
 };
 
 void checkIndices(const Primitive& primitive, const Place& place) {
@@ -96,11 +110,62 @@ void expectGrowth(const Import& import, int mode, bool wantsTangents, const Prim
         bytesOf(primitive, vertices, indices) + vertices * (forTangents + forNormals), place);
 }
 
+// What the vertices hang on and where they may go, as the file has it.
+void readDeformation(const Import& import, const MeshUse& use, const std::vector<JointSet>& joints,
+                     const json& object, const Place& place, Displacements& left,
+                     Primitive& primitive, Report& report) {
+    if (use.joints > 0) {
+        const std::uint64_t most = 4 * std::max<std::uint64_t>(joints.size(), 1);
+        import.budget->expectMemory(
+            2 * most * primitive.positions.size() * sizeof(Influence), place);
+        setInfluences(joints, use.joints, place, primitive, report);
+    }
+    if (use.isMorphed) {
+        primitive.targets = readTargets(
+            import, object, primitive.positions.size(), place,
+            [&](std::uint64_t count) { return left.take(count); }, report);
+    }
+    std::uint64_t displacements = 0;
+    for (const MorphTarget& target : primitive.targets) {
+        displacements += target.positions.size() + target.normals.size() + target.tangents.size();
+    }
+    import.budget->takeMemory(primitive.influences.size() * sizeof(Influence) +
+                                  displacements * sizeof(glm::vec3),
+                              place);
+}
+
+// Displacements of what is there no longer, or was made here, mean nothing.
+void completeDeformation(bool hadTangents, Primitive& primitive) {
+    for (MorphTarget& target : primitive.targets) {
+        if (primitive.normals.empty()) {
+            target.normals.clear();
+        }
+        if (primitive.tangents.empty() || !hadTangents) {
+            target.tangents.clear();
+        }
+        for (const glm::vec3& displacement : target.positions) {
+            target.bounds.add(glm::dvec3(displacement));
+        }
+    }
+    const auto each = std::size_t(primitive.influencesPerVertex);
+    for (std::size_t i = 0; i < primitive.influences.size(); ++i) {
+        const Influence& influence = primitive.influences[i];
+        if (influence.weight == 0.0F) {
+            continue;
+        }
+        if (influence.joint >= primitive.jointBounds.size()) {
+            primitive.jointBounds.resize(influence.joint + 1);
+        }
+        primitive.jointBounds[influence.joint].add(glm::dvec3(primitive.positions[i / each]));
+    }
+}
+
 // Nothing where the primitive draws nothing, which is reported. Throws Error(kBadInput).
 std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs& normalMapUvs,
-                                       std::size_t mesh, std::size_t index, Report& report) {
-    const Place place = import.file.at("meshes").at(mesh).at("primitives").at(index);
-    const tinygltf::Primitive& source = import.model.meshes[mesh].primitives[index];
+                                       const MeshUse& use, std::size_t index, Displacements& left,
+                                       Report& report) {
+    const Place place = import.file.at("meshes").at(use.mesh).at("primitives").at(index);
+    const tinygltf::Primitive& source = import.model.meshes[use.mesh].primitives[index];
     if (!source.attributes.contains("POSITION")) {
         report.ignored(place.at("attributes"), "has no POSITION; there is nothing to draw");
         return std::nullopt;
@@ -110,10 +175,11 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
                                   ", for which the file has no data; it is not drawn");
         return std::nullopt;
     }
+    const json& object = element(import.json, "meshes", use.mesh)["primitives"][index];
     Primitive primitive;
-    const int mode =
-        readAttributes(import, source, element(import.json, "meshes", mesh)["primitives"][index],
-                       place, primitive, report);
+    std::vector<JointSet> joints;
+    const int mode = readAttributes(import, source, object, place, primitive,
+                                    use.joints > 0 ? &joints : nullptr, report);
     if (primitive.positions.empty()) {
         badInput(place, "has no positions in its Draco data; export the mesh again");
     }
@@ -122,6 +188,7 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
         source.material >= 0 ? std::size_t(source.material) : normalMapUvs.size() - 1;
     const int normalMapUv = normalMapUvs[material];
     expectGrowth(import, mode, normalMapUv >= 0, primitive, place);
+    readDeformation(import, use, joints, object, place, left, primitive, report);
     primitive.topology = topologyOf(mode);
     primitive.indices = unrollIndices(mode, std::move(primitive.indices));
     primitive.material = source.material;
@@ -130,11 +197,13 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
         report.ignored(place, "has too few vertices to draw anything");
         return std::nullopt;
     }
+    const bool hadTangents = !primitive.tangents.empty();
     if (primitive.topology == Topology::kTriangles) {
         completeTriangles(primitive, normalMapUv);
     } else {
         primitive.tangents.clear();
     }
+    completeDeformation(hadTangents, primitive);
     for (const glm::vec3& position : primitive.positions) {
         primitive.bounds.add(glm::dvec3(position));
     }
@@ -148,7 +217,7 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
 std::vector<std::size_t> listAccessors(const Import& import, const std::vector<Job>& jobs) {
     std::vector<std::size_t> accessors;
     for (const Job& job : jobs) {
-        const tinygltf::Primitive& source = import.model.meshes[job.mesh].primitives[job.primitive];
+        const tinygltf::Primitive& source = import.model.meshes[job.use.mesh].primitives[job.primitive];
         if (source.indices >= 0) {
             accessors.push_back(std::size_t(source.indices));
         }
@@ -164,12 +233,12 @@ std::vector<std::size_t> listAccessors(const Import& import, const std::vector<J
     return accessors;
 }
 
-std::vector<Job> listJobs(const Import& import, const std::vector<std::size_t>& wanted) {
+std::vector<Job> listJobs(const Import& import, const std::vector<MeshUse>& wanted) {
     std::vector<Job> jobs;
-    for (const std::size_t mesh : wanted) {
-        for (std::size_t p = 0; p < import.model.meshes[mesh].primitives.size(); ++p) {
+    for (const MeshUse& use : wanted) {
+        for (std::size_t p = 0; p < import.model.meshes[use.mesh].primitives.size(); ++p) {
             Job& job = jobs.emplace_back();
-            job.mesh = mesh;
+            job.use = use;
             job.primitive = p;
         }
     }
@@ -177,11 +246,13 @@ std::vector<Job> listJobs(const Import& import, const std::vector<std::size_t>& 
 }
 
 void runJobs(const Import& import, const NormalMapUvs& normalMapUvs, std::vector<Job>& jobs) {
+    Displacements left;
     Progress progress("decoding meshes", jobs.size());
     parallelFor(jobs.size(), [&](std::size_t i) {
         Job& job = jobs[i];
         try {
-            job.result = readPrimitive(import, normalMapUvs, job.mesh, job.primitive, job.report);
+            job.result = 
+                readPrimitive(import, normalMapUvs, job.use, job.primitive, left, job.report);
         } catch (const LimitError&) {
             throw;
         } catch (const Error& error) {
@@ -204,7 +275,7 @@ void checkSomethingIsLeft(const std::vector<Job>& jobs) {
 
 }  // namespace
 
-std::vector<Mesh> readMeshes(const Import& import, const std::vector<std::size_t>& wanted,
+std::vector<Mesh> readMeshes(const Import& import, const std::vector<MeshUse>& wanted,
                              const NormalMapUvs& normalMapUvs, Report& report) {
     std::vector<Job> jobs = listJobs(import, wanted);
     unpackViews(import, listAccessors(import, jobs));
@@ -213,15 +284,15 @@ std::vector<Mesh> readMeshes(const Import& import, const std::vector<std::size_t
     std::vector<Mesh> meshes(wanted.size());
     std::size_t next = 0;
     for (std::size_t m = 0; m < wanted.size(); ++m) {
-        const tinygltf::Mesh& source = import.model.meshes[wanted[m]];
+        const tinygltf::Mesh& source = import.model.meshes[wanted[m].mesh];
         meshes[m].name = source.name;
         for (std::size_t p = 0; p < source.primitives.size(); ++p, ++next) {
             Job& job = jobs[next];
             append(job.report, report);
             if (job.fault) {
-                report.ignored(job.fault->place(), reasonOf(*job.fault) + "; primitive " +
-                                                       std::to_string(p) + " of mesh " +
-                                                       std::to_string(wanted[m]) + " is not drawn");
+                report.ignored(job.fault->place(),
+                               reasonOf(*job.fault) + "; primitive " + std::to_string(p) +
+                                   " of mesh " + std::to_string(wanted[m].mesh) + " is not drawn");
             } else if (job.result) {
                 meshes[m].primitives.push_back(std::move(*job.result));
             }

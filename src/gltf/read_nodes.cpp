@@ -85,6 +85,16 @@ glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report&
     return matrix;
 }
 
+std::vector<int> parentsOf(const tinygltf::Model& model) {
+    std::vector<int> parents(model.nodes.size(), -1);
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        for (const int child : model.nodes[i].children) {
+            parents[std::size_t(child)] = int(i);
+        }
+    }
+    return parents;
+}
+
 // Places what could be placed on its own, but not below its parents.
 void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
     std::vector<glm::dmat4> world(list.nodes.size());
@@ -133,7 +143,45 @@ NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, 
         }
     }
     mendWorldTransforms(list, import, report);
+    list.inScene = list.nodes.size();
     return list;
+}
+
+JointFinder::JointFinder(const Import& import, NodeList& list, Report& report)
+    : import_(import),
+      list_(list),
+      report_(report),
+      parents_(parentsOf(import.model)),
+      placed_(parents_.size(), -1) {
+    for (std::size_t i = list.nodes.size(); i-- > 0;) {
+        placed_[list.gltfNodes[i]] = int(i);
+    }
+}
+
+int JointFinder::find(std::size_t joint) {
+    std::vector<int> path;
+    for (int node = int(joint); node >= 0 && placed_[std::size_t(node)] < 0;
+         node = parents_[std::size_t(node)]) {
+        path.push_back(node);
+    }
+    for (std::size_t step = path.size(); step-- > 0;) {
+        const auto index = std::size_t(path[step]);
+        const int parent = parents_[index];
+        placed_[index] = int(list_.nodes.size());
+        Node& node = list_.nodes.emplace_back();
+        node.name = import_.model.nodes[index].name;
+        node.parent = parent < 0 ? -1 : placed_[std::size_t(parent)];
+        node.parentFromLocal =
+            transformOf(import_.model.nodes[index], import_.file.at("nodes").at(index), report_);
+        list_.gltfNodes.push_back(index);
+    }
+    return placed_[joint];
+}
+
+void JointFinder::finish() {
+    if (list_.nodes.size() > list_.inScene) {
+        mendWorldTransforms(list_, import_, report_);
+    }
 }
 
 std::optional<Pose> restPoseOf(const Import& import, const NodeList& list, std::size_t node) {
@@ -160,7 +208,8 @@ void leaveOutVanished(NodeList& list, const std::vector<Mover>& movers, const Im
             world[i] = world[std::size_t(node.parent)] * node.parentFromLocal;
             moves[i] = char(moves[i] | moves[std::size_t(node.parent)]);
         }
-        if (node.mesh >= 0 && moves[i] == 0 && vanishes(world[i])) {
+        // What joints place stands behind the scene's own nodes, and is not its parent's size.
+        if (i < list.inScene && node.mesh >= 0 && moves[i] == 0 && vanishes(world[i])) {
             report.ignored(import.file.at("nodes").at(list.gltfNodes[i]),
                            "is scaled to nothing; its mesh is not drawn");
             node.mesh = -1;

@@ -40,11 +40,11 @@ void tallyExtensions(const json& value, const Where& where, Tally& tally) {
 bool isRead(const std::string& attribute) {
     return attribute == "POSITION" || attribute == "NORMAL" || attribute == "TANGENT" ||
            attribute == "TEXCOORD_0" || attribute == "TEXCOORD_1" || attribute == "COLOR_0" ||
-           // Told with their skins.
+           // Told with their skins, where they are used.
            attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
 }
 
-void tallyPrimitives(const json& root, const Where& rootWhere, Tally& attributes, Tally& morphs) {
+void tallyPrimitives(const json& root, const Where& rootWhere, Tally& attributes) {
     const json& meshes = member(root, "meshes");
     const Where meshesWhere(rootWhere, "meshes");
     for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -59,34 +59,16 @@ void tallyPrimitives(const json& root, const Where& rootWhere, Tally& attributes
                     attributes.add(name, Where(attributesWhere, name));
                 }
             }
-            if (!member(primitives[p], "targets").empty()) {
-                morphs.add("morph targets", Where(where, "targets"));
-            }
         }
     }
-}
-
-void reportArray(const json& root, const Place& file, const char* key, const char* fateOfOne,
-                 const char* fateOfMany, Report& report) {
-    const json& list = member(root, key);
-    if (list.is_null()) {
-        return;
-    }
-    const std::size_t count = list.is_array() ? list.size() : 1;
-    report.ignored(file.at(key), counted(count, key) + (count == 1 ? fateOfOne : fateOfMany));
 }
 
 }  // namespace
 
 void reportUnread(const Import& import, Report& report) {
     const Where root(import.file);
-    reportArray(import.json, import.file, "skins",
-                " is not applied; its meshes are drawn in rest position",
-                " are not applied; their meshes are drawn in rest position", report);
     Tally attributes;
-    Tally morphs;
-    tallyPrimitives(import.json, root, attributes, morphs);
-    morphs.tell(Report::Kind::kIgnored, " are not applied", report);
+    tallyPrimitives(import.json, root, attributes);
     attributes.tell(Report::Kind::kIgnored, " is not drawn", report);
     Tally extensions;
     tallyExtensions(import.json, root, extensions);

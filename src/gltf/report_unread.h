@@ -6,8 +6,8 @@
 
 namespace ribalta::gltf {
 
-/// Reports skins, morph targets, further texture coordinates and colours, and the extensions that
-/// are not understood, wherever they stand.
+/// Reports further texture coordinates and colours, and the extensions that are not understood,
+/// wherever they stand.
 void reportUnread(const Import& import, Report& report);
 
 }  // namespace ribalta::gltf

@@ -16,6 +16,11 @@ std::string hashScene(std::span<const std::byte> file, const Scene& scene) {
             hash.add(primitive.uv1);
             hash.add(primitive.colors);
             hash.add(primitive.indices);
+            hash.add(primitive.influences);
+            for (const MorphTarget& target : primitive.targets) {
+                hash.add(target.positions);
+                hash.add(target.normals);
+            }
         }
     }
     for (const Image& image : scene.images) {

@@ -38,6 +38,7 @@ using glm::tan;
 using vec2 = glm::dvec2;
 using vec3 = glm::dvec3;
 using vec4 = glm::dvec4;
+using mat4 = glm::dmat4;
 
 // NOLINTBEGIN: GLSL's spelling
 #define float double
@@ -65,6 +66,7 @@ using vec4 = glm::dvec4;
 #include "lib/sky_mapping_2008.glsl"
 #include "lib/sky_tables.glsl"
 #include "lib/sun_disc.glsl"
+#include "lib/deform.glsl"
 // clang-format on
 #undef OUT
 #undef float

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -12,7 +13,8 @@
 namespace ribalta {
 
 struct PlacedSurface {
-    const Primitive* primitive = nullptr;
+    const Primitive* primitive = nullptr;       ///< the scene's, or `deformed`
+    std::shared_ptr<const Primitive> deformed;  ///< in its shape, where the scene's is another
     const Material* material = nullptr;
     glm::dmat4 worldFromLocal{1.0};
     glm::dmat3 worldFromNormal{1.0};  ///< what turns normals; not their length

@@ -13,12 +13,24 @@ std::vector<DrawItem> listDraws(const Scene& scene) {
         for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
             const Primitive& primitive = mesh.primitives[p];
             if (!primitive.indices.empty()) {
-                items.push_back({int(n), node.mesh, int(p), primitive.material,
-                                 transformed(node.worldFromLocal, primitive.bounds)});
+                items.push_back(
+                    {int(n), node.mesh, int(p), primitive.material,
+                     transformed(node.worldFromLocal, localBounds(scene, node, primitive))});
             }
         }
     }
     return items;
+}
+
+DrawPlace placeOf(const Scene& scene, const std::vector<DrawItem>& draws, int draw) {
+    const DrawItem& item = draws[std::size_t(draw)];
+    const int deformer = deformerOf(scene, item);
+    return {draw, scene.nodes[std::size_t(item.node)].worldFromLocal,
+            deformer < 0 ? 0 : scene.deformers[std::size_t(deformer)].shape};
+}
+
+int deformerOf(const Scene& scene, const DrawItem& item) {
+    return scene.nodes[std::size_t(item.node)].deformer;
 }
 
 const Primitive& primitiveOf(const Scene& scene, const DrawItem& item) {

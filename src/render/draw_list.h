@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "scene/scene.h"
@@ -15,6 +16,19 @@ struct DrawItem {
     int material = -1;  ///< into Scene::materials, -1: the default
     Bounds worldBounds;
 };
+
+/// Where an item stands and what shape it has: equal where it would be drawn alike.
+struct DrawPlace {
+    int draw = 0;  ///< into the draw list
+    glm::dmat4 worldFromLocal{1.0};
+    std::uint64_t shape = 0;  ///< of its deformer, 0: of its own
+
+    bool operator==(const DrawPlace&) const = default;
+};
+DrawPlace placeOf(const Scene& scene, const std::vector<DrawItem>& draws, int draw);
+
+/// The node's deformer, by which the item's shape changes; -1: it has its own.
+int deformerOf(const Scene& scene, const DrawItem& item);
 
 /// All primitives of all nodes, in the nodes' order.
 std::vector<DrawItem> listDraws(const Scene& scene);

@@ -2,6 +2,7 @@
 // materials and images are not in it: they are read once, when a scene is uploaded.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "render/frame_settings.h"
@@ -17,6 +18,7 @@ struct FrameInputs {
     std::vector<PointLight> pointLights;
     std::vector<DirectionalLight> directionalLights;
     std::vector<glm::dmat4> worldFromLocal;  ///< by node
+    std::vector<std::uint64_t> shapes;       ///< by deformer
 
     /// Equal inputs give the same picture, value by value.
     bool operator==(const FrameInputs&) const = default;

@@ -53,8 +53,7 @@ ShadowKey keyOf(const Scene& scene, const FramePlan& plan, const ShadowMapWork& 
     const SpotLight& lamp = scene.spotLights[std::size_t(work.spot)];
     ShadowKey key{lamp.frame, drawnConeAngle(lamp), lamp.rangeMetres, plan.shadowMaps.side, {}};
     for (const int caster : work.casters) {
-        const DrawItem& item = plan.draws[std::size_t(caster)];
-        key.casters.emplace_back(caster, scene.nodes[std::size_t(item.node)].worldFromLocal);
+        key.casters.push_back(placeOf(scene, plan.draws, caster));
     }
     return key;
 }
@@ -257,6 +256,46 @@ void planBeams(const Scene& scene, const std::vector<std::vector<glm::dvec2>>& o
     plan.beams = std::move(work);
 }
 
+// Of all that this frame draws, what has another shape than when it was last drawn.
+void planDeform(const Scene& scene, const FrameCache& cache, FramePlan& plan) {
+    std::vector<bool> isDrawn(scene.deformers.size(), false);
+    const auto addAll = [&](const std::vector<int>& draws) {
+        for (const int draw : draws) {
+            const int deformer = deformerOf(scene, plan.draws[std::size_t(draw)]);
+            if (deformer >= 0) {
+                isDrawn[std::size_t(deformer)] = true;
+            }
+        }
+    };
+    for (const ShadowMapWork& work : plan.shadowMapWork) {
+        addAll(work.casters);
+    }
+    if (plan.forward) {
+        addAll(plan.forward->opaque);
+        addAll(plan.forward->blended);
+    }
+    for (std::size_t i = 0; plan.sunShadow && i < plan.sunShadow->cascades.size(); ++i) {
+        if (!plan.sunShadow->cascades[i].kept) {
+            addAll(plan.sunShadow->cascades[i].casters);
+        }
+    }
+    for (std::size_t i = 0; i < isDrawn.size(); ++i) {
+        if (!isDrawn[i]) {
+            continue;
+        }
+        const Deformer& deformer = scene.deformers[i];
+        if (i < cache.shapes.size() && cache.shapes[i] == deformer.shape) {
+            ++plan.deformersKept;
+            continue;
+        }
+        plan.deformWork.push_back(int(i));
+        const int mesh = scene.nodes[std::size_t(deformer.node)].mesh;
+        for (const Primitive& primitive : scene.meshes[std::size_t(mesh)].primitives) {
+            plan.verticesDeformed += std::int64_t(primitive.positions.size());
+        }
+    }
+}
+
 }  // namespace
 
 bool ShadowKey::operator==(const ShadowKey& other) const {
@@ -288,6 +327,9 @@ FramePlan planFrame(const Scene& scene, const Camera& camera, const FrameSetting
         plan.sunShadow = planSunShadow(scene, *settings.sky, camera, settings.width,
                                        settings.height, plan.draws, visible, cache.sunShadow);
     }
+    if (!scene.deformers.empty()) {
+        planDeform(scene, cache, plan);
+    }
     if (settings.haze.scatteringPerMetre > 0.0 && !settings.illuminance) {
         planBeams(scene, outlines, cache, plan);
     }
@@ -306,6 +348,10 @@ void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cac
     }
     if (plan.sunShadow) {
         keepForNextFrame(scene, plan.draws, *plan.sunShadow, cache.sunShadow);
+    }
+    cache.shapes.resize(scene.deformers.size(), 0);
+    for (const int deformer : plan.deformWork) {
+        cache.shapes[std::size_t(deformer)] = scene.deformers[std::size_t(deformer)].shape;
     }
     if (plan.shadowMaps.layers == 0) {
         return;
@@ -327,6 +373,9 @@ void keepForNextFrame(const Scene& scene, const FramePlan& plan, FrameCache& cac
 
 void FramePlan::keepPicture() {
     kept = true;
+    deformersKept += int(deformWork.size());
+    deformWork.clear();
+    verticesDeformed = 0;
     shadowMapsKept += int(shadowMapWork.size());
     shadowMapWork.clear();
     shadowPyramidWork.clear();
@@ -341,6 +390,9 @@ std::string FramePlan::describe() const {
     }
     std::string line;
     const auto add = [&](const std::string& pass) { line += (line.empty() ? "" : " ") + pass; };
+    if (!deformWork.empty()) {
+        add("deform[" + std::to_string(deformWork.size()) + "]");
+    }
     if (!shadowMapWork.empty()) {
         add("shadow_map[" + std::to_string(shadowMapWork.size()) + "]");
     }

@@ -2,6 +2,7 @@
 // not need is not in its plan, and so no pass, shader or texture is made for it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ struct ShadowKey {
     Frame frame;
     double halfAngle = 0.0;
     double rangeMetres = 0.0;
-    int side = 0;                                     ///< texels
-    std::vector<std::pair<int, glm::dmat4>> casters;  ///< index into the draw list, its placement
+    int side = 0;  ///< texels
+    std::vector<DrawPlace> casters;
 
     bool operator==(const ShadowKey& other) const;
 };
@@ -35,6 +36,7 @@ struct FrameCache {
     std::vector<bool> pyramidLayers;                     ///< by layer: its pyramid is of this map
     SkyCache sky;
     SunShadowCache sunShadow;
+    std::vector<std::uint64_t> shapes;  ///< by deformer: what it was drawn as; 0: not yet
 };
 
 /// One lamp's shadow map to draw.
@@ -101,6 +103,10 @@ struct FramePlan {
     int castersCulled = 0;   ///< what casts shadows, but stands outside the cone of a map's lamp
     int shadowMapsKept = 0;  ///< as they were drawn for an earlier frame
     bool kept = false;       ///< the picture of the frame before: none of the passes below is run
+
+    std::vector<int> deformWork;  ///< into Scene::deformers; empty: none, or none changed its shape
+    int deformersKept = 0;        ///< drawn in the shape that they had in an earlier frame
+    std::int64_t verticesDeformed = 0;
 
     std::vector<ShadowMapWork> shadowMapWork;  ///< empty: no lamp with casters, or all kept
     std::vector<int> shadowPyramidWork;        ///< layers; empty: not used, or all kept

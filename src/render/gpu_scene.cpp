@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include <shared/deform.h>
 #include <shared/slots.h>
 #include <shared/surface.h>
 
@@ -22,6 +23,8 @@ struct VertexAttributes {
     glm::vec2 uv1{0.0F};
     std::array<std::uint16_t, 4> color{65535, 65535, 65535, 65535};
 };
+
+static_assert(sizeof(VertexAttributes) == sizeof(float) * gpu::kAttributeFloats);
 
 constexpr GLuint kPositionBinding = 0;
 constexpr GLuint kAttributesBinding = 1;
@@ -169,15 +172,39 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     std::vector<glm::vec3> positions;
     std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
-    for (const Mesh& mesh : scene.meshes) {
+    const auto appendVertices = [&](const Primitive& primitive) {
+        positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
+        appendAttributes(primitive, attributes);
+    };
+    // Meshes that are drawn deformed alone need no vertices of their own.
+    std::vector<bool> isDrawnAtRest(scene.meshes.size(), false);
+    for (const Node& node : scene.nodes) {
+        if (node.mesh >= 0 && node.deformer < 0) {
+            isDrawnAtRest[std::size_t(node.mesh)] = true;
+        }
+    }
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         std::vector<Geometry>& list = geometry_.emplace_back();
-        for (const Primitive& primitive : mesh.primitives) {
+        for (const Primitive& primitive : scene.meshes[m].primitives) {
             list.push_back({modeOf(primitive.topology), GLsizei(primitive.indices.size()),
                             indices.size() * sizeof(std::uint32_t), GLint(positions.size())});
-            positions.insert(positions.end(), primitive.positions.begin(),
-                             primitive.positions.end());
             indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-            appendAttributes(primitive, attributes);
+            if (isDrawnAtRest[m]) {
+                appendVertices(primitive);
+            }
+        }
+    }
+    for (const Deformer& deformer : scene.deformers) {
+        const auto mesh = std::size_t(scene.nodes[std::size_t(deformer.node)].mesh);
+        std::vector<Geometry>& list = deformedGeometry_[deformer.node];
+        list = geometry_[mesh];
+        for (std::size_t p = 0; p < list.size(); ++p) {
+            const std::size_t first = (positions.size() + kDeformedAlignment - 1) /
+                                      kDeformedAlignment * kDeformedAlignment;
+            positions.resize(first);
+            attributes.resize(first);
+            list[p].baseVertex = GLint(first);
+            appendVertices(scene.meshes[mesh].primitives[p]);
         }
     }
 

@@ -18,6 +18,9 @@ inline void deleteVertexArray(GLuint name) {
     glDeleteVertexArrays(1, &name);
 }
 
+/// Vertices at such multiples start where shaders may be shown a part of a buffer.
+inline constexpr std::size_t kDeformedAlignment = 64;
+
 class GpuScene {
   public:
     /// Uploads what the scene draws, but for light maps. Needs a current context. The scene is not
@@ -33,8 +36,19 @@ class GpuScene {
     };
 
     const Geometry& geometry(const DrawItem& item) const {
-        return geometry_[std::size_t(item.mesh)][std::size_t(item.primitive)];
+        const auto own = deformedGeometry_.find(item.node);
+        const std::vector<Geometry>& list =
+            own == deformedGeometry_.end() ? geometry_[std::size_t(item.mesh)] : own->second;
+        return list[std::size_t(item.primitive)];
     }
+    /// Where the vertices of a deformed node's primitives lie; baseVertex is a multiple of
+    /// kDeformedAlignment.
+    const std::vector<Geometry>& deformedGeometry(int node) const {
+        return deformedGeometry_.at(node);
+    }
+    /// Positions, three floats each, and kAttributeFloats a vertex: what deformation writes.
+    const Buffer& positions() const { return positions_; }
+    const Buffer& attributes() const { return attributes_; }
     /// All attributes, for surfaces; positions (and what masks need) for shadow maps are the same.
     GLuint vertexArray() const { return vertexArray_.name(); }
     bool hasTextures(const DrawItem& item) const {
@@ -63,7 +77,8 @@ class GpuScene {
     void uploadMaterials(const Scene& scene);
     void useTexture(const Scene& scene, const TextureSlot& slot, bool colors);
 
-    std::vector<std::vector<Geometry>> geometry_;  ///< by mesh and primitive
+    std::vector<std::vector<Geometry>> geometry_;            ///< by mesh and primitive
+    std::map<int, std::vector<Geometry>> deformedGeometry_;  ///< by node and primitive
     Handle<deleteVertexArray> vertexArray_;
     Buffer positions_;
     Buffer attributes_;

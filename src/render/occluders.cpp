@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxOccluders = 8;
 constexpr double kLeastShare = 0.01;
-// Walls and floors have few triangles; meshes that have more are not searched.
+// Walls and floors have few triangles and keep their shape; other meshes are not searched.
 constexpr std::size_t kMaxTriangles = 64;
 // Pixels by which an occluder has to reach over a beam, for the rounding of corners.
 constexpr double kOverlapPixels = 0.5;
@@ -104,7 +104,7 @@ std::vector<Face> facesOf(const Primitive& primitive, const glm::dmat4& worldFro
 
 bool mayHide(const Scene& scene, const DrawItem& item) {
     const Primitive& primitive = primitiveOf(scene, item);
-    return primitive.topology == Topology::kTriangles &&
+    return deformerOf(scene, item) < 0 && primitive.topology == Topology::kTriangles &&
            primitive.indices.size() <= 3 * kMaxTriangles &&
            materialOf(scene, item).alphaMode == Material::AlphaMode::kOpaque;
 }

@@ -125,8 +125,7 @@ glm::dmat4 clipFromWorld(const SunCascade& cascade, const glm::dmat3& sunFromWor
 SunMapKey keyOf(const Scene& scene, const std::vector<DrawItem>& draws, const SunCascade& cascade) {
     SunMapKey key{cascade.clipFromWorld, {}};
     for (const int caster : cascade.casters) {
-        key.casters.emplace_back(
-            caster, scene.nodes[std::size_t(draws[std::size_t(caster)].node)].worldFromLocal);
+        key.casters.push_back(placeOf(scene, draws, caster));
     }
     return key;
 }

@@ -29,7 +29,7 @@ struct SunCascade {
 /// Everything a map's content depends on.
 struct SunMapKey {
     glm::dmat4 clipFromWorld{1.0};
-    std::vector<std::pair<int, glm::dmat4>> casters;  ///< index into the draw list, its placement
+    std::vector<DrawPlace> casters;
 
     bool operator==(const SunMapKey&) const = default;
 };

@@ -53,6 +53,11 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
         daylight = &madeOnFirstUse(sky_, files_).prepare(*plan_.sky);
         sky_->uploadFrame(*plan_.sky, camera);
     }
+    if (!plan_.deformWork.empty()) {
+        timer_.begin("deform");
+        const DebugGroup group("deform");
+        madeOnFirstUse(deform_).draw(plan_.deformWork, scene_, gpuScene_);
+    }
     timer_.begin("upload");
     gpuScene_.useLightMaps(scene_, plan_.spotsDrawn());
     gpuFrame_.upload(scene_, plan_, gpuScene_, daylight);

@@ -15,6 +15,7 @@
 #include "render/passes/beams_adaptive.h"
 #include "render/passes/beams_clipped.h"
 #include "render/passes/beams_planes.h"
+#include "render/passes/deform.h"
 #include "render/passes/false_color.h"
 #include "render/passes/forward.h"
 #include "render/passes/shadow_map.h"
@@ -86,6 +87,7 @@ class Renderer {
     PassTimer timer_;
     std::optional<FrameTargets> targets_;
     DrawCasters drawCasters_;
+    std::optional<DeformPass> deform_;
     std::optional<ShadowMapPass> shadowMapPass_;
     std::optional<ShadowPyramidPass> shadowPyramidPass_;
     std::optional<ForwardPass> forward_;

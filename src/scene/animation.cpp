@@ -34,21 +34,32 @@ Stretch stretchAt(const AnimationSampler& sampler, double seconds) {
     return {first, first + 1, (seconds - double(keys[first])) / length, length};
 }
 
-// Appendix C.5.
+// Appendix C.5: how much of the two keys' values and of the tangents between them.
+struct HermiteShares {
+    double from = 1.0;
+    double out = 0.0;
+    double to = 0.0;
+    double in = 0.0;
+};
+
+HermiteShares hermiteShares(const Stretch& at) {
+    const double t = at.share;
+    const double t2 = t * t;
+    const double t3 = t2 * t;
+    return {2.0 * t3 - 3.0 * t2 + 1.0, at.seconds * (t3 - 2.0 * t2 + t), 3.0 * t2 - 2.0 * t3,
+            at.seconds * (t3 - t2)};
+}
+
 glm::dvec4 hermite(const AnimationSampler& sampler, const Stretch& at) {
     const std::vector<glm::vec4>& values = sampler.values;
     const glm::dvec4 from(values[3 * at.first + 1]);
     if (at.first == at.second) {
         return from;
     }
-    const glm::dvec4 out(values[3 * at.first + 2]);
-    const glm::dvec4 in(values[3 * at.second]);
-    const glm::dvec4 to(values[3 * at.second + 1]);
-    const double t = at.share;
-    const double t2 = t * t;
-    const double t3 = t2 * t;
-    return (2.0 * t3 - 3.0 * t2 + 1.0) * from + at.seconds * (t3 - 2.0 * t2 + t) * out +
-           (3.0 * t2 - 2.0 * t3) * to + at.seconds * (t3 - t2) * in;
+    const HermiteShares share = hermiteShares(at);
+    return share.from * from + share.out * glm::dvec4(values[3 * at.first + 2]) +
+           share.to * glm::dvec4(values[3 * at.second + 1]) +
+           share.in * glm::dvec4(values[3 * at.second]);
 }
 
 // Appendix C.4, the shorter way. The angle by its half's tangent, which is exact for small ones.
@@ -69,10 +80,14 @@ glm::dvec4 normalizedKey(const AnimationSampler& sampler, std::size_t key) {
     return glm::normalize(glm::dvec4(sampler.values[cubic ? 3 * key + 1 : key]));
 }
 
-void apply(const Animation& animation, double seconds, std::vector<Mover>& movers) {
+void apply(const Animation& animation, double seconds, Scene& scene) {
     for (const AnimationChannel& channel : animation.channels) {
         const AnimationSampler& sampler = animation.samplers[std::size_t(channel.sampler)];
-        Pose& pose = movers[std::size_t(channel.mover)].pose;
+        if (channel.part == AnimationChannel::Part::kWeights) {
+            sampleWeights(sampler, seconds, scene.deformers[std::size_t(channel.mover)].weights);
+            continue;
+        }
+        Pose& pose = scene.movers[std::size_t(channel.mover)].pose;
         switch (channel.part) {
             case AnimationChannel::Part::kTranslation:
                 pose.translation = glm::dvec3(sampleVector(sampler, seconds));
@@ -83,6 +98,8 @@ void apply(const Animation& animation, double seconds, std::vector<Mover>& mover
             case AnimationChannel::Part::kScale:
                 pose.scale = glm::dvec3(sampleVector(sampler, seconds));
                 break;
+            case AnimationChannel::Part::kWeights:
+                break;  // above
         }
     }
 }
@@ -94,9 +111,12 @@ void placeMovers(Scene& scene) {
     placeNodes(scene);
 }
 
-void rest(std::vector<Mover>& movers) {
-    for (Mover& mover : movers) {
+void rest(Scene& scene) {
+    for (Mover& mover : scene.movers) {
         mover.pose = mover.rest;
+    }
+    for (Deformer& deformer : scene.deformers) {
+        deformer.weights = deformer.restWeights;
     }
 }
 
@@ -129,6 +149,30 @@ glm::dquat sampleRotation(const AnimationSampler& sampler, double seconds) {
     return {value.w, value.x, value.y, value.z};
 }
 
+void sampleWeights(const AnimationSampler& sampler, double seconds, std::span<float> weights) {
+    const Stretch at = stretchAt(sampler, seconds);
+    const bool cubic = sampler.interpolation == Interpolation::kCubicSpline;
+    const auto row = [&](std::size_t key, std::size_t part) {
+        return &sampler.weights[(cubic ? 3 * key + part : key) * sampler.targets];
+    };
+    const float* from = row(at.first, 1);
+    const float* to = row(at.second, 1);
+    const float* out = row(at.first, 2);
+    const float* in = row(at.second, 0);
+    const HermiteShares share = hermiteShares(at);
+    const bool between = at.first != at.second && sampler.interpolation != Interpolation::kStep;
+    for (std::size_t t = 0; t < std::min(sampler.targets, weights.size()); ++t) {
+        double value(from[t]);
+        if (between && cubic) {
+            value = share.from * double(from[t]) + share.out * double(out[t]) +
+                    share.to * double(to[t]) + share.in * double(in[t]);
+        } else if (between) {
+            value += at.share * (double(to[t]) - double(from[t]));
+        }
+        weights[t] = float(value);
+    }
+}
+
 double durationSeconds(const Scene& scene, int animation) {
     double last = 0.0;
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
@@ -145,20 +189,20 @@ double durationSeconds(const Scene& scene, int animation) {
 }
 
 void poseScene(Scene& scene, double seconds, int animation) {
-    rest(scene.movers);
+    rest(scene);
     if (animation == kAllAnimations) {
         // Backwards, so that the first has the last word.
         for (std::size_t i = scene.animations.size(); i-- > 0;) {
-            apply(scene.animations[i], seconds, scene.movers);
+            apply(scene.animations[i], seconds, scene);
         }
     } else {
-        apply(scene.animations[std::size_t(animation)], seconds, scene.movers);
+        apply(scene.animations[std::size_t(animation)], seconds, scene);
     }
     placeMovers(scene);
 }
 
 void restScene(Scene& scene) {
-    rest(scene.movers);
+    rest(scene);
     placeMovers(scene);
 }
 

@@ -2,6 +2,8 @@
 // section 3.11 and appendix C). No clock: what time it is, is the caller's business.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,21 +29,24 @@ struct AnimationSampler {
     /// kCubicSpline three a key: the tangent into it, its value, the tangent out of it, both
     /// tangents a second.
     std::vector<glm::vec4> values;
+    /// Instead of them, of morph targets: by key and by target, with kCubicSpline three rows a key.
+    std::vector<float> weights{};
+    std::size_t targets = 0;  ///< weights in a row
 };
 
 /// What a sampler moves.
 struct AnimationChannel {
-    enum class Part { kTranslation, kRotation, kScale };
+    enum class Part { kTranslation, kRotation, kScale, kWeights };
 
-    int mover = -1;    ///< into Scene::movers
-    int sampler = -1;  ///< into Animation::samplers
+    int mover = -1;    ///< into Scene::movers; of kWeights into Scene::deformers
+    int sampler = -1;  ///< into Animation::samplers; of kWeights one with `weights`
     Part part = Part::kTranslation;
 };
 
 struct Animation {
     std::string name;
     std::vector<AnimationSampler> samplers;
-    std::vector<AnimationChannel> channels;  ///< no part of a mover twice
+    std::vector<AnimationChannel> channels;  ///< no part of a mover or deformer twice
 };
 
 /// A node that some animation moves.
@@ -59,12 +64,15 @@ inline constexpr int kAllAnimations = -1;
 glm::dvec4 sampleVector(const AnimationSampler& sampler, double seconds);
 /// The value at a time, brought to unit length.
 glm::dquat sampleRotation(const AnimationSampler& sampler, double seconds);
+/// The weights at a time, as many as both have.
+void sampleWeights(const AnimationSampler& sampler, double seconds, std::span<float> weights);
 
 /// When the last key of an animation (an index into Scene::animations, or kAllAnimations) is
 /// reached; 0 where nothing moves.
 double durationSeconds(const Scene& scene, int animation = kAllAnimations);
 
-/// Moves the scene's nodes, and what hangs on them, to where they are at a time. What the chosen
+/// Moves the scene's nodes, and what hangs on them, to where they are at a time, and shapes what is
+/// deformed. What the chosen
 /// animation does not move rests. Takes no memory.
 void poseScene(Scene& scene, double seconds, int animation = kAllAnimations);
 

@@ -14,6 +14,21 @@ namespace ribalta {
 /// What the indices draw. Strips, fans and loops are turned into these on import.
 enum class Topology { kPoints, kLines, kTriangles };
 
+/// By how much a vertex hangs on a joint.
+struct Influence {
+    std::uint32_t joint = 0;  ///< into Skin::joints, of whichever skin the mesh is drawn with
+    float weight = 0.0F;      ///< 0..1
+};
+
+/// A shape that a primitive may take on, as displacements from its own: arrays as long as
+/// `positions` or empty, finite.
+struct MorphTarget {
+    std::vector<glm::vec3> positions;  ///< local metres
+    std::vector<glm::vec3> normals;
+    std::vector<glm::vec3> tangents;
+    Bounds bounds;  ///< of the positions' displacements; empty where there are none
+};
+
 /// One draw of one material. Attribute arrays are as long as `positions` or empty.
 struct Primitive {
     Topology topology = Topology::kTriangles;
@@ -26,6 +41,14 @@ struct Primitive {
     std::vector<std::uint32_t> indices;  ///< into the arrays above; always present, in range
     int material = -1;                   ///< -1: glTF's default material
     Bounds bounds;                       ///< of the positions, local
+
+    // Where the mesh changes shape; see Deformer.
+    int influencesPerVertex = 0;        ///< 0: hangs on no joints
+    std::vector<Influence> influences;  ///< so many a vertex; a vertex's weights add up to 1
+    std::vector<Bounds> jointBounds;    ///< by joint: of the vertices that hang on it
+    std::vector<MorphTarget> targets;
+    /// The file has none: those of whole triangles, which lie in `positions` three by three.
+    bool flatNormals = false;
 };
 
 struct Mesh {

@@ -16,6 +16,7 @@ struct Node {
     int mesh = -1;
     bool visible = true;  ///< its own; see shown
     bool shown = true;    ///< it and all above it are visible; see placeNodes
+    int deformer = -1;    ///< into Scene::deformers: the mesh's shape changes
 
     bool isDrawn() const { return mesh >= 0 && shown; }
 };

@@ -3,6 +3,24 @@
 #include <cmath>
 
 namespace ribalta {
+namespace {
+
+// The sum of boundsOfOne(node, primitive) over all that is placed.
+template <typename BoundsOfOne>
+Bounds boundsOf(const Scene& scene, const BoundsOfOne& boundsOfOne) {
+    Bounds bounds;
+    for (const Node& node : scene.nodes) {
+        if (!node.isDrawn()) {
+            continue;
+        }
+        for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {
+            bounds.add(boundsOfOne(node, primitive));
+        }
+    }
+    return bounds;
+}
+
+}  // namespace
 
 Frame rigidFrame(const glm::dmat4& worldFromLocal) {
     Frame frame;
@@ -78,19 +96,33 @@ void placeNodes(Scene& scene) {
             lamp.shown = scene.nodes[std::size_t(lamp.node)].shown;
         }
     }
+    shapeDeformers(scene);
+}
+
+Bounds localBounds(const Scene& scene, const Node& node, const Primitive& primitive) {
+    return node.deformer < 0
+               ? primitive.bounds
+               : deformedBounds(primitive, scene.deformers[std::size_t(node.deformer)]);
 }
 
 Bounds sceneBounds(const Scene& scene) {
-    Bounds bounds;
-    for (const Node& node : scene.nodes) {
-        if (!node.isDrawn()) {
-            continue;
+    return boundsOf(scene, [&](const Node& node, const Primitive& primitive) {
+        return transformed(node.worldFromLocal, localBounds(scene, node, primitive));
+    });
+}
+
+Bounds tightSceneBounds(const Scene& scene) {
+    return boundsOf(scene, [&](const Node& node, const Primitive& primitive) {
+        if (node.deformer < 0) {
+            return transformed(node.worldFromLocal, primitive.bounds);
         }
-        for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {
-            bounds.add(transformed(node.worldFromLocal, primitive.bounds));
+        Bounds bounds;
+        const Deformer& deformer = scene.deformers[std::size_t(node.deformer)];
+        for (const glm::vec3& position : deformVertices(primitive, deformer).positions) {
+            bounds.add(glm::dvec3(node.worldFromLocal * glm::dvec4(glm::dvec3(position), 1.0)));
         }
-    }
-    return bounds;
+        return bounds;
+    });
 }
 
 }  // namespace ribalta

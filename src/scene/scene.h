@@ -8,10 +8,12 @@
 #include "scene/animation.h"
 #include "scene/bounds.h"
 #include "scene/camera.h"
+#include "scene/deformer.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/node.h"
+#include "scene/skin.h"
 
 namespace ribalta {
 
@@ -20,6 +22,8 @@ struct Scene {
     std::string name;
     std::vector<Node> nodes;  ///< parents before children
     std::vector<Mesh> meshes;
+    std::vector<Skin> skins;
+    std::vector<Deformer> deformers;  ///< one a node whose mesh changes shape
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Image> images;
@@ -31,11 +35,18 @@ struct Scene {
     std::vector<Mover> movers;          ///< the nodes that they move
 };
 
-/// Computes every node's worldFromLocal, which nodes and lamps are shown, and the frames of the
-/// cameras and lamps that hang on nodes.
+/// Computes every node's worldFromLocal, which nodes and lamps are shown, the frames of the cameras
+/// and lamps that hang on nodes, and the shapes of what is deformed.
 void placeNodes(Scene& scene);
 
-/// The box around all that is drawn, in world metres; empty where nothing is.
+/// A primitive's box in its node's local metres, in the shape that it has there; what is deformed
+/// may fill less of it.
+Bounds localBounds(const Scene& scene, const Node& node, const Primitive& primitive);
+
+/// The box around all that is drawn, in world metres; empty where nothing is. What is deformed may
+/// fill less of it.
 Bounds sceneBounds(const Scene& scene);
+/// The same around every vertex of what is deformed: for framing a picture, not for every frame.
+Bounds tightSceneBounds(const Scene& scene);
 
 }  // namespace ribalta

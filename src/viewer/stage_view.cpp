@@ -25,7 +25,7 @@ StageView::StageView(LoadedScene loaded, std::filesystem::path path, const FileC
       loaded_(std::move(loaded)),
       asLoaded_(lampsAlone(loaded_.scene)),
       lamps_(lampsOf(loaded_.scene)),
-      bounds_(sceneBounds(loaded_.scene)),
+      bounds_(tightSceneBounds(loaded_.scene)),
       cache_(cache),
       renderer_(std::make_unique<Renderer>(loaded_.scene, cache)) {}
 

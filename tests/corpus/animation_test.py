@@ -1,9 +1,10 @@
-"""Where animated nodes are, computed from the files anew and compared with the loader's answer.
+"""Where animated nodes and joints are, and what shape skinned and morphed meshes have, computed from
+the files anew and compared with the loader's answer.
 
-Every animated model of other people's glTF files (RIBALTA_GLTF_ASSETS, or ../shared/assets/gltf
+Every animated, skinned or morphed model of other people's glTF files (RIBALTA_GLTF_ASSETS, or ../shared/assets/gltf
 beside the checkout) and of the samples, each animation at ten times. POSE_NODES names the program
 that prints the loader's. Nothing here is taken from it: Python reads the JSON, the buffers and the
-keys, and multiplies the matrices."""
+keys, multiplies the matrices, and moves the vertices."""
 
 import base64
 import bisect
@@ -20,8 +21,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ASSETS = pathlib.Path(os.environ.get("RIBALTA_GLTF_ASSETS", ROOT / "../shared/assets/gltf"))
 TOLERANCE = 1e-4
 COMPONENTS = {5120: ("b", 127), 5121: ("B", 255), 5122: ("h", 32767), 5123: ("H", 65535),
-              5126: ("f", None)}
-WIDTHS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}
+              5125: ("I", None), 5126: ("f", None)}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+CORNERS = 40  # looked at of a primitive, as POSE_NODES has it
 IDENTITY = [1.0, 0, 0, 0, 0, 1.0, 0, 0, 0, 0, 1.0, 0, 0, 0, 0, 1.0]
 
 
@@ -37,6 +39,7 @@ class Model:
         else:
             self.json = json.loads(content)
         self.buffers = {}
+        self.accessors = {}
 
     def buffer(self, index):
         if index not in self.buffers:
@@ -50,22 +53,42 @@ class Model:
         return self.buffers[index]
 
     def read(self, index):
-        """The accessor's elements, lists of floats; without sparse parts, which no animation
-        here has."""
+        """The accessor's elements, lists of numbers."""
         accessor = self.json["accessors"][index]
-        assert "sparse" not in accessor
         letter, scale = COMPONENTS[accessor["componentType"]]
-        width = WIDTHS[accessor["type"]]
-        view = self.json["bufferViews"][accessor["bufferView"]]
+        width, count = WIDTHS[accessor["type"]], accessor["count"]
         element = struct.Struct(f"<{width}{letter}")
-        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-        stride = view.get("byteStride", element.size)
-        data = self.buffer(view["buffer"])
-        elements = [list(element.unpack_from(data, start + i * stride))
-                    for i in range(accessor["count"])]
-        if scale is not None:
+
+        def unpack(view, offset, stride, packed, number):
+            view = self.json["bufferViews"][view]
+            start = view.get("byteOffset", 0) + offset
+            stride = view.get("byteStride", packed.size) if stride else packed.size
+            data = self.buffer(view["buffer"])
+            return [list(packed.unpack_from(data, start + i * stride)) for i in range(number)]
+
+        if "bufferView" in accessor:
+            elements = unpack(accessor["bufferView"], accessor.get("byteOffset", 0), True, element,
+                              count)
+        else:
+            elements = [[0] * width for _ in range(count)]
+        if "sparse" in accessor:
+            sparse = accessor["sparse"]
+            where, what = sparse["indices"], sparse["values"]
+            indices = unpack(where["bufferView"], where.get("byteOffset", 0), False,
+                             struct.Struct("<" + COMPONENTS[where["componentType"]][0]),
+                             sparse["count"])
+            values = unpack(what["bufferView"], what.get("byteOffset", 0), False, element,
+                            sparse["count"])
+            for (at,), value in zip(indices, values):
+                elements[at] = value
+        if scale is not None and accessor.get("normalized"):
             elements = [[max(value / scale, -1.0) for value in each] for each in elements]
         return elements
+
+    def cached(self, index):
+        if index not in self.accessors:
+            self.accessors[index] = self.read(index)
+        return self.accessors[index]
 
     def order(self):
         """The drawn scene's nodes with their parents, each before what hangs on it."""
@@ -157,7 +180,100 @@ def world_matrices(model, order, animation, now):
                 moved.get((node, "rotation"), unit(source.get("rotation", [0, 0, 0, 1]))),
                 moved.get((node, "scale"), source.get("scale", [1, 1, 1])))
         world.append(multiply(world[parent], local) if parent >= 0 else local)
-    return [number for matrix in world for number in matrix]
+    return world
+
+
+def transform(matrix, point):
+    return [sum(matrix[4 * k + row] * point[k] for k in range(3)) + matrix[12 + row]
+            for row in range(3)]
+
+
+def is_skinned(primitive):
+    return "JOINTS_0" in primitive["attributes"] and "WEIGHTS_0" in primitive["attributes"]
+
+
+def joint_matrices(model, skin, world_of):
+    joints = skin["joints"]
+    if "inverseBindMatrices" in skin:
+        binds = model.cached(skin["inverseBindMatrices"])
+    else:
+        binds = [IDENTITY] * len(joints)
+    return [multiply(world_of[joint], bind) for joint, bind in zip(joints, binds)]
+
+
+def weights_of(model, node, targets, animation, now):
+    source = model.json["nodes"][node]
+    weights = source.get("weights", model.json["meshes"][source["mesh"]].get("weights"))
+    for channel, times, values, way in animation:
+        if channel["target"].get("node") == node and channel["target"]["path"] == "weights":
+            row = len(values) // len(times) // (3 if way == "CUBICSPLINE" else 1)
+            rows = [[each[0] for each in values[i : i + row]]
+                    for i in range(0, len(values), row)]
+            weights = sample(times, rows, way, "weights", now)
+    return weights or [0.0] * targets
+
+
+def influences_of(model, primitive, vertex):
+    pairs = []
+    for n in range(16):
+        attributes = primitive["attributes"]
+        if f"JOINTS_{n}" not in attributes:
+            break
+        pairs += zip(model.cached(attributes[f"JOINTS_{n}"])[vertex],
+                     model.cached(attributes[f"WEIGHTS_{n}"])[vertex])
+    total = sum(weight for _, weight in pairs)
+    return [(joint, weight / total) for joint, weight in pairs if weight]
+
+
+def corners_of(model, primitive, weights, joints, world):
+    """Some corners in world space; None where Python cannot read the mesh."""
+    attributes = primitive["attributes"]
+    if "KHR_draco_mesh_compression" in primitive.get("extensions", {}) or \
+            primitive.get("mode", 4) != 4:
+        return None
+    positions = model.cached(attributes["POSITION"])
+    if "indices" in primitive:
+        indices = [each[0] for each in model.cached(primitive["indices"])]
+    else:
+        indices = list(range(len(positions)))
+    found = [float(len(indices))]
+    for vertex in indices[:: (len(indices) + CORNERS - 1) // CORNERS]:
+        point = list(positions[vertex])
+        for weight, target in zip(weights, primitive.get("targets", [])):
+            if weight and "POSITION" in target:
+                moved = model.cached(target["POSITION"])[vertex]
+                point = [a + weight * b for a, b in zip(point, moved)]
+        if joints:
+            placed = [0.0, 0.0, 0.0]
+            for joint, weight in influences_of(model, primitive, vertex):
+                at = transform(joints[joint], point)
+                placed = [a + weight * b for a, b in zip(placed, at)]
+            found += placed
+        else:
+            found += transform(world, point)
+    return found
+
+
+def shapes(model, order, animation, now, world):
+    """For every deformed node of the scene its weights, joint matrices and corners."""
+    world_of = {node: matrix for (node, _), matrix in zip(order, world)}
+    result = []
+    for node, _ in order:
+        source = model.json["nodes"][node]
+        if "mesh" not in source:
+            continue
+        primitives = model.json["meshes"][source["mesh"]]["primitives"]
+        targets = max(len(each.get("targets", [])) for each in primitives)
+        skinned = "skin" in source and any(map(is_skinned, primitives))
+        if not targets and not skinned:
+            continue
+        weights = weights_of(model, node, targets, animation, now)
+        joints = (joint_matrices(model, model.json["skins"][source["skin"]], world_of)
+                  if skinned else [])
+        result.append((weights, [number for matrix in joints for number in matrix],
+                       [corners_of(model, each, weights, joints, world_of[node])
+                        for each in primitives]))
+    return result
 
 
 def keys_of(model, animation):
@@ -171,40 +287,67 @@ def keys_of(model, animation):
     keys = []
     for channel in animation["channels"]:
         sampler = animation["samplers"][channel["sampler"]]
-        if channel["target"]["path"] != "weights":
+        if channel["target"]["path"] in ("translation", "rotation", "scale", "weights"):
             keys.append((channel, [t[0] for t in read(sampler["input"])], read(sampler["output"]),
                          sampler.get("interpolation", "LINEAR")))
     return keys
 
 
+def loaders_answer(path, animation, times):
+    result = subprocess.run(
+        [os.environ["POSE_NODES"], path, str(animation), *map(repr, times)],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False, timeout=120)
+    if result.returncode != 0:
+        raise AssertionError(f"{path}: {result.stderr}")
+    return [json.loads(line) for line in result.stdout.splitlines()]
+
+
 class AnimatedModels(unittest.TestCase):
+    def compare_numbers(self, ours, theirs, what):
+        self.assertEqual(len(theirs), len(ours), what)
+        scale = max([1.0, *map(abs, ours)])
+        worst = max([0.0, *(abs(a - b) for a, b in zip(ours, theirs))])
+        self.assertLess(worst, TOLERANCE * scale, what)
+        self.compared += len(ours)
+
+    def compare_pose(self, model, order, keys, now, theirs, what):
+        world = world_matrices(model, order, keys, now)
+        self.compare_numbers([number for matrix in world for number in matrix], theirs["nodes"],
+                             f"{what}: nodes")
+        ours = shapes(model, order, keys, now, world)
+        self.assertEqual(len(ours), len(theirs["deformers"]), what)
+        for (weights, joints, corners), other in zip(ours, theirs["deformers"]):
+            self.compare_numbers(weights, other["weights"], f"{what}: weights")
+            self.compare_numbers(joints, other["joints"], f"{what}: joints")
+            self.assertEqual(len(corners), len(other["primitives"]), what)
+            for mine, its in zip(corners, other["primitives"]):
+                if mine is not None:
+                    self.compare_numbers(mine, its, f"{what}: corners")
+                    self.corners += len(mine) // 3
+
     def compare(self, path):
-        """Returns how many numbers were compared."""
+        """Counts in self.compared how many numbers were."""
         model = Model(path)
         order = model.order()
-        compared = 0
-        for index, animation in enumerate(model.json["animations"]):
+        if any("skin" in node or "mesh" in node for node in model.json.get("nodes", [])):
+            rest = loaders_answer(path, "rest", [0])[0]
+            self.compare_pose(model, order, [], 0.0, rest, f"{path}: at rest")
+        for index, animation in enumerate(model.json.get("animations", [])):
             keys = keys_of(model, animation)
             if not keys:
                 continue
             end = max(times[-1] for _, times, _, _ in keys)
             # Off the keys, on the last, before the first and after the end.
             times = [-0.5, end, 1.25 * end] + [end * (i + 0.37) / 7 for i in range(7)]
-            result = subprocess.run(
-                [os.environ["POSE_NODES"], path, str(index), *map(repr, times)],
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False, timeout=60)
-            self.assertEqual(result.returncode, 0, f"{path}: {result.stderr}")
-            lines = result.stdout.splitlines()
-            self.assertEqual(len(lines), len(times))
-            for now, line in zip(times, lines):
-                theirs = [float(number) for number in line.split()]
-                ours = world_matrices(model, order, keys, now)
-                self.assertEqual(len(theirs), len(ours), path)
-                scale = max(1.0, max(map(abs, ours)))
-                worst = max(abs(a - b) for a, b in zip(ours, theirs))
-                self.assertLess(worst, TOLERANCE * scale, f"{path}: animation {index}, {now} s")
-                compared += len(ours)
-        return compared
+            answers = loaders_answer(path, index, times)
+            self.assertEqual(len(answers), len(times))
+            for now, theirs in zip(times, answers):
+                self.compare_pose(model, order, keys, now, theirs,
+                                  f"{path}: animation {index}, {now} s")
+
+    def setUp(self):
+        self.compared = 0
+        self.corners = 0
 
     def test_arena(self):
         """All of its 128 animations together, as one action a lamp is meant."""
@@ -215,34 +358,31 @@ class AnimatedModels(unittest.TestCase):
         everything = []
         for animation in model.json["animations"]:
             everything += keys_of(model, animation)
-        result = subprocess.run([os.environ["POSE_NODES"], path, "-1", *map(repr, times)],
-                                stdout=subprocess.PIPE, text=True, check=True, timeout=60)
-        compared = 0
-        for now, line in zip(times, result.stdout.splitlines()):
-            theirs = [float(number) for number in line.split()]
-            ours = world_matrices(model, order, everything, now)
-            self.assertEqual(len(theirs), len(ours))
-            self.assertLess(max(abs(a - b) for a, b in zip(ours, theirs)), TOLERANCE)
-            compared += len(ours)
-        self.assertGreater(compared, 10000)
+        for now, theirs in zip(times, loaders_answer(path, -1, times)):
+            self.compare_pose(model, order, everything, now, theirs, f"{path}: {now} s")
+        self.assertGreater(self.compared, 10000)
 
     def test_other_peoples_models(self):
         if not (ASSETS / "manifest.csv").exists():
             self.skipTest(f"no models in {ASSETS}; set RIBALTA_GLTF_ASSETS")
-        models, compared = 0, 0
+        models = 0
         for path in sorted(ASSETS.glob("**/*.gl[tb]*")):
             if "broken" in path.parts or path.suffix not in (".gltf", ".glb"):
                 continue
             text = Model(path).json
             # What the loader refuses, it says so.
-            if not text.get("animations") or "EXT_meshopt_compression" in text.get(
-                    "extensionsRequired", []):
+            if "EXT_meshopt_compression" in text.get("extensionsRequired", []):
+                continue
+            targets = any("targets" in primitive for mesh in text.get("meshes", [])
+                          for primitive in mesh["primitives"])
+            if not (text.get("animations") or text.get("skins") or targets):
                 continue
             models += 1
             with self.subTest(model=str(path)):
-                compared += self.compare(path)
-        print(f"{models} models, {compared} numbers")
-        self.assertGreater(models, 20)
+                self.compare(path)
+        print(f"{models} models, {self.compared} numbers, {self.corners} of them corners")
+        self.assertGreater(models, 25)
+        self.assertGreater(self.corners, 5000)
 
 
 if __name__ == "__main__":

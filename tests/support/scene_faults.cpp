@@ -181,8 +181,14 @@ void checkLamps(const Scene& scene, Faults& faults) {
 void checkSampler(const AnimationSampler& sampler, const std::string& what, Faults& faults) {
     const bool cubic = sampler.interpolation == AnimationSampler::Interpolation::kCubicSpline;
     faults.check(!sampler.seconds.empty(), what + " has no keys");
-    faults.check(sampler.values.size() == (cubic ? 3 : 1) * sampler.seconds.size(),
+    const std::size_t rows = (cubic ? 3 : 1) * sampler.seconds.size();
+    faults.check(sampler.targets > 0
+                     ? sampler.weights.size() == rows * sampler.targets && sampler.values.empty()
+                     : sampler.values.size() == rows && sampler.weights.empty(),
                  what + " has the wrong number of values");
+    for (const float weight : sampler.weights) {
+        faults.check(std::isfinite(weight), what + " weight is not finite");
+    }
     for (std::size_t i = 0; i < sampler.seconds.size(); ++i) {
         faults.check(std::isfinite(sampler.seconds[i]), what + " time is not finite");
         faults.check(i == 0 || sampler.seconds[i] > sampler.seconds[i - 1],
@@ -210,23 +216,106 @@ void checkAnimations(const Scene& scene, Faults& faults) {
             checkSampler(sampler, what, faults);
         }
         for (const AnimationChannel& channel : animation.channels) {
-            faults.check(channel.mover >= 0 && channel.mover < int(scene.movers.size()),
-                         what + " mover");
+            const bool isWeights = channel.part == AnimationChannel::Part::kWeights;
+            faults.check(
+                channel.mover >= 0 &&
+                    channel.mover < int(isWeights ? scene.deformers.size() : scene.movers.size()),
+                what + " mover");
             faults.check(channel.sampler >= 0 && channel.sampler < int(animation.samplers.size()),
                          what + " sampler");
         }
     }
 }
 
+void checkDeformation(const Primitive& primitive, const std::string& what, Faults& faults) {
+    const std::size_t count = primitive.positions.size();
+    const auto each = std::size_t(primitive.influencesPerVertex);
+    faults.check(primitive.influences.size() == count * each, what + " influences' number");
+    for (std::size_t v = 0; each > 0 && v < count; ++v) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < each; ++i) {
+            const Influence& influence = primitive.influences[v * each + i];
+            faults.check(influence.weight >= 0.0F && influence.weight <= 1.0F,
+                         what + " influence's weight");
+            faults.check(influence.weight == 0.0F || influence.joint < primitive.jointBounds.size(),
+                         what + " has no box for a joint");
+            sum += double(influence.weight);
+        }
+        faults.check(std::abs(sum - 1.0) < 1e-5, what + " weights do not add up to 1");
+    }
+    for (const MorphTarget& target : primitive.targets) {
+        checkArray(target.positions, count, what + " target's positions", faults);
+        checkArray(target.normals, primitive.normals.empty() ? 0 : count,
+                   what + " target's normals", faults);
+        checkArray(target.tangents, primitive.tangents.empty() ? 0 : count,
+                   what + " target's tangents", faults);
+    }
+    faults.check(!primitive.flatNormals || (primitive.indices.size() == count && count % 3 == 0),
+                 what + " is not flat triangle by triangle");
+}
+
+// Each vertex of a deformer's mesh is a finite point in the box that is told for it.
+void checkShape(const Scene& scene, const Deformer& deformer, Faults& faults) {
+    const Node& node = scene.nodes[std::size_t(deformer.node)];
+    for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {
+        const DeformedVertices vertices = deformVertices(primitive, deformer);
+        const Bounds box = localBounds(scene, node, primitive);
+        const double slack = 1e-5 * (glm::length(box.low) + glm::length(box.high));
+        for (const glm::vec3& position : vertices.positions) {
+            faults.checkFinite(position, "deformed position");
+            const glm::dvec3 p(position);
+            faults.check(glm::all(glm::greaterThanEqual(p, box.low - slack)) &&
+                             glm::all(glm::lessThanEqual(p, box.high + slack)),
+                         "deformed position outside its box");
+        }
+        for (const glm::vec3& normal : vertices.normals) {
+            faults.check(std::abs(glm::length(normal) - 1.0F) < 1e-3F, "deformed normal");
+        }
+    }
+}
+
+void checkDeformers(const Scene& scene, Faults& faults) {
+    for (const Skin& skin : scene.skins) {
+        faults.check(!skin.joints.empty(), "skin without joints");
+        faults.check(skin.joints.size() == skin.jointFromMesh.size(), "skin's matrices");
+        for (const int joint : skin.joints) {
+            faults.check(joint >= 0 && joint < int(scene.nodes.size()), "joint is out of range");
+        }
+    }
+    for (std::size_t i = 0; i < scene.deformers.size(); ++i) {
+        const Deformer& deformer = scene.deformers[i];
+        faults.checkIndex(deformer.skin, scene.skins.size(), "deformer's skin");
+        if (deformer.node < 0 || deformer.node >= int(scene.nodes.size()) ||
+            scene.nodes[std::size_t(deformer.node)].deformer != int(i) ||
+            scene.nodes[std::size_t(deformer.node)].mesh < 0) {
+            faults.check(false, "deformer and node do not name each other");
+            continue;
+        }
+        faults.check(deformer.weights.size() == deformer.restWeights.size(), "weights' number");
+        for (const float weight : deformer.restWeights) {
+            faults.check(std::isfinite(weight), "weight is not finite");
+        }
+    }
+    for (const Node& node : scene.nodes) {
+        faults.checkIndex(node.deformer, scene.deformers.size(), "node's deformer");
+    }
+}
+
 // Whatever the time, what is placed is finite.
 void checkPoses(Scene scene, Faults& faults) {
-    if (scene.movers.empty()) {
+    for (const Deformer& deformer : scene.deformers) {
+        checkShape(scene, deformer, faults);
+    }
+    if (scene.animations.empty()) {
         return;
     }
     for (const double share : {0.0, 0.3, 0.99, 2.0}) {
         poseScene(scene, share * durationSeconds(scene));
         for (const Node& node : scene.nodes) {
             checkMatrix(node.worldFromLocal, "posed worldFromLocal", faults);
+        }
+        for (const Deformer& deformer : scene.deformers) {
+            checkShape(scene, deformer, faults);
         }
         checkLamps(scene, faults);
     }
@@ -248,6 +337,8 @@ std::vector<std::string> sceneFaults(const Scene& scene) {
         for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p) {
             checkPrimitive(scene.meshes[m].primitives[p], scene.materials.size(),
                            "primitive " + std::to_string(m) + "/" + std::to_string(p), faults);
+            checkDeformation(scene.meshes[m].primitives[p],
+                             "primitive " + std::to_string(m) + "/" + std::to_string(p), faults);
         }
     }
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -265,6 +356,7 @@ std::vector<std::string> sceneFaults(const Scene& scene) {
         checkCamera(camera, scene.nodes.size(), faults);
     }
     checkLamps(scene, faults);
+    checkDeformers(scene, faults);
     checkAnimations(scene, faults);
     if (!faults.any()) {
         checkPoses(scene, faults);

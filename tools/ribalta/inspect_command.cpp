@@ -117,7 +117,7 @@ void printGeometry(const Scene& scene, bool allMeshes) {
     std::printf("meshes     %zu, %zu primitives\n", scene.meshes.size(), totals.primitives);
     printMeshes(scene, allMeshes);
     std::printf("triangles  %zu, %zu as placed\n", totals.triangles, totals.drawn);
-    const Bounds bounds = sceneBounds(scene);
+    const Bounds bounds = tightSceneBounds(scene);
     if (!bounds.isEmpty()) {
         std::printf("extent     %.3g x %.3g x %.3g m\n", bounds.high.x - bounds.low.x,
                     bounds.high.y - bounds.low.y, bounds.high.z - bounds.low.z);

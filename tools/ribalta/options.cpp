@@ -151,7 +151,7 @@ Camera chooseCamera(const Scene& scene, const std::optional<std::string>& nameOr
     if (!nameOrIndex) {
         if (scene.cameras.empty()) {
             logWarning("the file has no camera; one that frames the scene is made");
-            return makeFramingCamera(sceneBounds(scene), aspectRatio);
+            return makeFramingCamera(tightSceneBounds(scene), aspectRatio);
         }
         return scene.cameras.front();
     }
