@@ -22,20 +22,22 @@ struct Mended {
 
 class Builder {
   public:
-    Builder(const std::vector<JointSet>& sets, std::size_t joints) : sets_(sets), joints_(joints) {}
+    Builder(const std::vector<const JointSet*>& sets, std::size_t joints)
+        : sets_(sets), joints_(joints) {}
 
-    // The influences of one vertex, the strongest first, none of weight 0.
-    std::vector<Influence> influencesOf(std::size_t vertex) {
-        std::vector<Influence> found;
+    // The influences of one vertex, the strongest first, none of weight 0; until the next call.
+    const std::vector<Influence>& influencesOf(std::size_t vertex) {
+        std::vector<Influence>& found = found_;
+        found.clear();
         double sum = 0.0;
-        for (const JointSet& set : sets_) {
+        for (const JointSet* set : sets_) {
             for (int i = 0; i < 4; ++i) {
-                add(set.joints[vertex][i], set.weights[vertex][i], found, sum);
+                add(set->joints[vertex][i], set->weights[vertex][i], found, sum);
             }
         }
         if (found.empty()) {
             ++mended_.withoutSum;
-            const double first(sets_.front().joints[vertex][0]);
+            const double first(sets_.front()->joints[vertex][0]);
             found.push_back({isInRange(first) ? std::uint32_t(first) : 0, 1.0F});
             return found;
         }
@@ -68,8 +70,9 @@ class Builder {
         }
     }
 
-    const std::vector<JointSet>& sets_;
+    const std::vector<const JointSet*>& sets_;
     std::size_t joints_;
+    std::vector<Influence> found_;
     Mended mended_;
 };
 
@@ -117,10 +120,10 @@ std::vector<JointSet> readJointSets(const Import& import, const tinygltf::Primit
 void setInfluences(const std::vector<JointSet>& sets, std::size_t joints, const Place& place,
                    Primitive& primitive, Report& report) {
     const std::size_t vertices = primitive.positions.size();
-    std::vector<JointSet> fitting;
+    std::vector<const JointSet*> fitting;
     for (std::size_t n = 0; n < sets.size(); ++n) {
         if (sets[n].joints.size() == vertices && sets[n].weights.size() == vertices) {
-            fitting.push_back(sets[n]);
+            fitting.push_back(&sets[n]);
             continue;
         }
         report.repaired(place.at("attributes").at("JOINTS_" + std::to_string(n)),
@@ -143,7 +146,7 @@ void setInfluences(const std::vector<JointSet>& sets, std::size_t joints, const 
     std::size_t most = 0;
     ends.reserve(vertices);
     for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-        const std::vector<Influence> own = builder.influencesOf(vertex);
+        const std::vector<Influence>& own = builder.influencesOf(vertex);
         all.insert(all.end(), own.begin(), own.end());
         ends.push_back(all.size());
         most = std::max(most, own.size());

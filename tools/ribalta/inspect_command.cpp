@@ -89,6 +89,22 @@ void printMeshes(const Scene& scene, bool all) {
     }
 }
 
+void printDeformers(const Scene& scene) {
+    if (scene.deformers.empty()) {
+        return;
+    }
+    std::size_t joints = 0;
+    for (const Skin& skin : scene.skins) {
+        joints += skin.joints.size();
+    }
+    std::size_t morphed = 0;
+    for (const Deformer& deformer : scene.deformers) {
+        morphed += deformer.restWeights.empty() ? 0 : 1;
+    }
+    std::printf("deformed   %zu meshes as placed, %zu with morph targets; %zu skins, %zu joints\n",
+                scene.deformers.size(), morphed, scene.skins.size(), joints);
+}
+
 void printMaterials(const Scene& scene) {
     std::printf("materials  %zu\n", scene.materials.size());
     for (const Material& material : scene.materials) {
@@ -117,6 +133,7 @@ void printGeometry(const Scene& scene, bool allMeshes) {
     std::printf("meshes     %zu, %zu primitives\n", scene.meshes.size(), totals.primitives);
     printMeshes(scene, allMeshes);
     std::printf("triangles  %zu, %zu as placed\n", totals.triangles, totals.drawn);
+    printDeformers(scene);
     const Bounds bounds = tightSceneBounds(scene);
     if (!bounds.isEmpty()) {
         std::printf("extent     %.3g x %.3g x %.3g m\n", bounds.high.x - bounds.low.x,

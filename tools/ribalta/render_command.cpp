@@ -111,6 +111,9 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
         stats.frames.push_back(std::move(times));
         stats.shadowMapsDrawn += int(plan.shadowMapWork.size());
         stats.shadowMapsKept += plan.shadowMapsKept;
+        stats.meshesDeformed += int(plan.deformWork.size());
+        stats.meshesKept += plan.deformersKept;
+        stats.verticesDeformed += plan.verticesDeformed;
         if (plan.sunShadow) {
             const int drawn = plan.sunShadow->drawn();
             stats.sunMapsDrawn += drawn;

@@ -40,14 +40,17 @@ struct RenderStats {
     int castersCulled = 0;
     int sunCastersDrawn = 0;
     int sunCastersCulled = 0;
-    int sunMapsDrawn = 0;         ///< over all frames
-    int sunMapsKept = 0;          ///< over all frames
-    int framesKept = 0;           ///< over all frames
-    int shadowMapsDrawn = 0;      ///< over all frames
-    int shadowMapsKept = 0;       ///< over all frames
-    std::uint64_t drawCalls = 0;  ///< over all frames
-    std::uint64_t samples = 0;    ///< of the last frame
-    gpu::RunCounts runs{};        ///< of a frame like the last
+    int sunMapsDrawn = 0;               ///< over all frames
+    int sunMapsKept = 0;                ///< over all frames
+    int framesKept = 0;                 ///< over all frames
+    int shadowMapsDrawn = 0;            ///< over all frames
+    int shadowMapsKept = 0;             ///< over all frames
+    int meshesDeformed = 0;             ///< over all frames: brought into another shape
+    int meshesKept = 0;                 ///< over all frames: drawn in the shape that they had
+    std::int64_t verticesDeformed = 0;  ///< over all frames
+    std::uint64_t drawCalls = 0;        ///< over all frames
+    std::uint64_t samples = 0;          ///< of the last frame
+    gpu::RunCounts runs{};              ///< of a frame like the last
     std::uint64_t programsBuilt = 0;
     std::uint64_t texturesMade = 0;
     std::uint64_t peakBytes = 0;
