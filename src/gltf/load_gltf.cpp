@@ -133,9 +133,8 @@ void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, R
     forEachUse([&](int& material) { material = sceneMaterial[std::size_t(material)]; });
 }
 
-// What is taken for the document: once as it is, and once more as tinygltf reads it.
 void takeDocument(const Import& import, std::string_view text) {
-    import.budget->takeMemory(2 * jsonMemory(text), import.file);
+    import.budget->takeMemory(jsonMemory(text), import.file);
 }
 
 void takeModel(const Import& import) {
@@ -208,7 +207,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     listExtensions(import.json, loaded);
     takeModel(import);
     loaded.variantNames = chooseVariant(import.json, options.variant, import.file, report);
-    import.model = parseModel(import.json, import.file);
+    import.model = parseModel(import.json);
     reportUnread(import, report);
     reportShapes(import, report);
     const ChosenScene chosen = chooseScene(import, options.scene, report);

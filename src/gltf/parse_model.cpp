@@ -1,112 +1,158 @@
-#include <nlohmann/json.hpp>
+#include "gltf/parse_model.h"
 
-#define TINYGLTF_IMPLEMENTATION
-#include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "gltf/bad_input.h"
-#include "gltf/parse_model.h"
+#include "gltf/import.h"
 
 namespace ribalta::gltf {
 namespace {
 
 using nlohmann::json;
 
-// Only these members are handed on; the rest is read elsewhere, or is what tinygltf refuses or
-// crashes on: buffers without a URI, images past their buffer, Draco data, nested extras.
-const std::pair<const char*, std::vector<const char*>> kArrays[] = {
-    {"scenes", {"name", "nodes"}},
-    {"nodes", {"name", "children", "matrix", "translation", "rotation", "scale", "mesh", "camera"}},
-    {"accessors",
-     {"bufferView", "byteOffset", "componentType", "count", "type", "normalized", "sparse"}},
-    {"bufferViews", {"buffer", "byteOffset", "byteLength", "byteStride"}},
-    {"materials",
-     {"name", "pbrMetallicRoughness", "normalTexture", "occlusionTexture", "emissiveTexture",
-      "emissiveFactor", "alphaMode", "alphaCutoff", "doubleSided"}},
-    {"textures", {"name", "sampler", "source"}},
-    {"samplers", {"name", "magFilter", "minFilter", "wrapS", "wrapT"}},
-};
-
-json pick(const json& object, const std::vector<const char*>& keys) {
-    json picked = json::object();
-    for (const char* key : keys) {
-        const auto found = object.find(key);
-        if (found != object.end()) {
-            picked[key] = *found;
-        }
+// Members that are there are of the right type; those that are not leave tinygltf's default.
+template <typename T>
+void take(const json& object, const char* key, T& value) {
+    const auto found = object.find(key);
+    if (found != object.end()) {
+        found->get_to(value);
     }
-    return picked;
 }
 
-json pickMeshes(const json& meshes) {
-    json picked = json::array();
-    for (const json& mesh : meshes) {
-        json copy = pick(mesh, {"name"});
-        copy["primitives"] = json::array();
-        for (const json& primitive : mesh.at("primitives")) {
-            copy["primitives"].push_back(
-                pick(primitive, {"attributes", "indices", "material", "mode"}));
-        }
-        picked.push_back(std::move(copy));
-    }
-    return picked;
+void takeNode(const json& source, tinygltf::Node& node) {
+    take(source, "name", node.name);
+    take(source, "children", node.children);
+    take(source, "matrix", node.matrix);
+    take(source, "translation", node.translation);
+    take(source, "rotation", node.rotation);
+    take(source, "scale", node.scale);
+    take(source, "mesh", node.mesh);
+    take(source, "camera", node.camera);
 }
 
-// tinygltf refuses indices whose accessor has no bufferView, which glTF allows: such accessors
-// point to a placeholder while it reads. Returns the placeholder's index.
-std::size_t addPlaceholderView(json& reduced) {
-    json& views = reduced["bufferViews"];
-    if (!views.is_array()) {
-        views = json::array();
-    }
-    const std::size_t placeholder = views.size();
-    views.push_back({{"buffer", 0}, {"byteLength", 1}});
-    for (json& accessor : reduced["accessors"]) {
-        if (!accessor.contains("bufferView")) {
-            accessor["bufferView"] = placeholder;
+void takeScene(const json& source, tinygltf::Scene& scene) {
+    take(source, "name", scene.name);
+    take(source, "nodes", scene.nodes);
+}
+
+int accessorType(const std::string& name) {
+    constexpr std::pair<const char*, int> kTypes[] = {
+        {"SCALAR", TINYGLTF_TYPE_SCALAR}, {"VEC2", TINYGLTF_TYPE_VEC2},
+        {"VEC3", TINYGLTF_TYPE_VEC3},     {"VEC4", TINYGLTF_TYPE_VEC4},
+        {"MAT2", TINYGLTF_TYPE_MAT2},     {"MAT3", TINYGLTF_TYPE_MAT3},
+        {"MAT4", TINYGLTF_TYPE_MAT4},
+    };
+    for (const auto& [known, type] : kTypes) {
+        if (name == known) {
+            return type;
         }
     }
-    return placeholder;
+    return -1;
+}
+
+void takeAccessor(const json& source, tinygltf::Accessor& accessor) {
+    take(source, "bufferView", accessor.bufferView);
+    take(source, "byteOffset", accessor.byteOffset);
+    take(source, "componentType", accessor.componentType);
+    take(source, "count", accessor.count);
+    take(source, "normalized", accessor.normalized);
+    accessor.type = accessorType(member(source, "type").get_ref<const std::string&>());
+    const json& sparse = member(source, "sparse");
+    accessor.sparse = {};
+    if (sparse.is_null()) {
+        return;
+    }
+    accessor.sparse.isSparse = true;
+    take(sparse, "count", accessor.sparse.count);
+    const json& indices = member(sparse, "indices");
+    take(indices, "bufferView", accessor.sparse.indices.bufferView);
+    take(indices, "byteOffset", accessor.sparse.indices.byteOffset);
+    take(indices, "componentType", accessor.sparse.indices.componentType);
+    const json& values = member(sparse, "values");
+    take(values, "bufferView", accessor.sparse.values.bufferView);
+    take(values, "byteOffset", accessor.sparse.values.byteOffset);
+}
+
+void takeBufferView(const json& source, tinygltf::BufferView& view) {
+    take(source, "buffer", view.buffer);
+    take(source, "byteOffset", view.byteOffset);
+    take(source, "byteLength", view.byteLength);
+    take(source, "byteStride", view.byteStride);
+}
+
+// Which texture a slot has is read from the JSON.
+void takeMaterial(const json& source, tinygltf::Material& material) {
+    take(source, "name", material.name);
+    const json& pbr = member(source, "pbrMetallicRoughness");
+    if (!pbr.is_null()) {
+        take(pbr, "baseColorFactor", material.pbrMetallicRoughness.baseColorFactor);
+        take(pbr, "metallicFactor", material.pbrMetallicRoughness.metallicFactor);
+        take(pbr, "roughnessFactor", material.pbrMetallicRoughness.roughnessFactor);
+    }
+    const json& normal = member(source, "normalTexture");
+    if (!normal.is_null()) {
+        take(normal, "scale", material.normalTexture.scale);
+    }
+    const json& occlusion = member(source, "occlusionTexture");
+    if (!occlusion.is_null()) {
+        take(occlusion, "strength", material.occlusionTexture.strength);
+    }
+    material.emissiveFactor = {0.0, 0.0, 0.0};
+    take(source, "emissiveFactor", material.emissiveFactor);
+    take(source, "alphaMode", material.alphaMode);
+    take(source, "alphaCutoff", material.alphaCutoff);
+    take(source, "doubleSided", material.doubleSided);
+}
+
+void takeTexture(const json& source, tinygltf::Texture& texture) {
+    take(source, "sampler", texture.sampler);
+    take(source, "source", texture.source);
+}
+
+void takeSampler(const json& source, tinygltf::Sampler& sampler) {
+    take(source, "magFilter", sampler.magFilter);
+    take(source, "minFilter", sampler.minFilter);
+    take(source, "wrapS", sampler.wrapS);
+    take(source, "wrapT", sampler.wrapT);
+}
+
+void takeMesh(const json& source, tinygltf::Mesh& mesh) {
+    take(source, "name", mesh.name);
+    const json& primitives = member(source, "primitives");
+    mesh.primitives.resize(primitives.size());
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        tinygltf::Primitive& primitive = mesh.primitives[i];
+        primitive.mode = TINYGLTF_MODE_TRIANGLES;
+        take(primitives[i], "attributes", primitive.attributes);
+        take(primitives[i], "indices", primitive.indices);
+        take(primitives[i], "material", primitive.material);
+        take(primitives[i], "mode", primitive.mode);
+    }
+}
+
+template <typename T, typename TakeOne>
+void takeAll(const json& document, const char* key, std::vector<T>& list, const TakeOne& takeOne) {
+    const json& sources = member(document, key);
+    list.resize(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        takeOne(sources[i], list[i]);
+    }
 }
 
 }  // namespace
 
-tinygltf::Model parseModel(const json& document, const Place& file) {
-    json reduced;
-    reduced["asset"] = {{"version", "2.0"}};
-    for (const auto& [array, keys] : kArrays) {
-        const auto found = document.find(array);
-        if (found == document.end()) {
-            continue;
-        }
-        json& target = reduced[array] = json::array();
-        for (const json& object : *found) {
-            target.push_back(pick(object, keys));
-        }
-    }
-    if (document.contains("meshes")) {
-        reduced["meshes"] = pickMeshes(document["meshes"]);
-    }
-    const std::size_t placeholder = addPlaceholderView(reduced);
-
-    tinygltf::TinyGLTF parser;
-    parser.SetFsCallbacks({});
+tinygltf::Model parseModel(const json& document) {
     tinygltf::Model model;
-    std::string error;
-    std::string warning;
-    const std::string text = reduced.dump();
-    if (!parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
-                                    static_cast<unsigned int>(text.size()), "",
-                                    tinygltf::NO_REQUIRE)) {
-        badInput(file, "cannot be parsed: " + error + "; export the file again");
-    }
-    model.bufferViews.pop_back();
-    for (tinygltf::Accessor& accessor : model.accessors) {
-        if (accessor.bufferView == int(placeholder)) {
-            accessor.bufferView = -1;
-        }
-    }
+    takeAll(document, "scenes", model.scenes, takeScene);
+    takeAll(document, "nodes", model.nodes, takeNode);
+    takeAll(document, "accessors", model.accessors, takeAccessor);
+    takeAll(document, "bufferViews", model.bufferViews, takeBufferView);
+    takeAll(document, "materials", model.materials, takeMaterial);
+    takeAll(document, "textures", model.textures, takeTexture);
+    takeAll(document, "samplers", model.samplers, takeSampler);
+    takeAll(document, "meshes", model.meshes, takeMesh);
     return model;
 }
 
