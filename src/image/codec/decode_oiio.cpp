@@ -3,8 +3,11 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -151,7 +154,7 @@ std::vector<T> spreadToRgba(const std::vector<T>& source, std::size_t pixels, in
 }
 
 template <typename T>
-void divideByAlpha(std::vector<T>& rgba, T opaque) {
+void divideByAlpha(std::span<T> rgba, T opaque) {
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
         const T alpha = rgba[i + 3];
         if (!(alpha > T(0)) || alpha == opaque) {
@@ -182,7 +185,26 @@ std::vector<T> readRgba(OpenPicture& picture, TypeDesc type, const ImageLimits& 
     const bool premultiplied =
         channels.index[3] >= 0 && picture.spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
     if (premultiplied) {
-        divideByAlpha(rgba, opaque);
+        divideByAlpha(std::span(rgba), opaque);
+    }
+    return rgba;
+}
+
+// Red, green, blue and perhaps alpha as they stand in the file, as most do, go straight to where
+// they stay: large pictures would else be in memory three times.
+std::optional<std::vector<std::byte>> readInPlace(OpenPicture& picture) {
+    const ColourChannels channels = colourChannels(picture.spec);
+    const auto [red, green, blue, alpha] = channels.index;
+    const bool isPremultiplied = picture.spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+    if (green != red + 1 || blue != red + 2 || (alpha >= 0 && alpha != red + 3) ||
+        (alpha >= 0 && isPremultiplied)) {
+        return std::nullopt;
+    }
+    const std::size_t pixels = std::size_t(picture.spec.width) * std::size_t(picture.spec.height);
+    std::vector<std::byte> rgba(pixels * 4, std::byte(255));
+    if (!picture.input->read_image(0, 0, red, channels.last() + 1, TypeDesc::UINT8, rgba.data(),
+                                   4)) {
+        broken(picture.format, picture.input->geterror());
     }
     return rgba;
 }
@@ -256,7 +278,11 @@ Image decodeWithOiio(std::span<const std::byte> encoded, ImageFormat format,
         }
         image.pixels = asBytes(rgba);
     } else if (spec.format.size() == 1) {
-        image.pixels = asBytes(readRgba<std::uint8_t>(picture, TypeDesc::UINT8, limits, 255));
+        if (auto inPlace = readInPlace(picture)) {
+            image.pixels = std::move(*inPlace);
+        } else {
+            image.pixels = asBytes(readRgba<std::uint8_t>(picture, TypeDesc::UINT8, limits, 255));
+        }
     } else {
         const auto wide = readRgba<std::uint16_t>(picture, TypeDesc::UINT16, limits, 65535);
         image.pixels.resize(wide.size());
