@@ -10,6 +10,9 @@
 #endif
 #include "lib/pi.glsl"
 #include "lib/brdf.glsl"
+#ifdef LAYERS
+#include "lib/layers.glsl"
+#endif
 #include "lib/haze.glsl"
 #include "lib/spot_light.glsl"
 #include "lib/shadow_projection.glsl"
@@ -23,6 +26,10 @@ layout(std430, binding = kDirectionalLampsSlot) readonly buffer DirectionalLamps
 };
 layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
 layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
+#ifdef LAYERS
+layout(std430, binding = kSurfaceLayersSlot) readonly buffer LayersBlock { SurfaceLayers layers[]; };
+layout(binding = kLayerTexturesUnit) uniform sampler2D layerTextures[kLayerTextures];
+#endif
 #ifdef SKY
 layout(std140, binding = kSkySlot) uniform SkyBlock { SkyFrame sky; };
 #include "passes/sky_haze.glsl"
@@ -59,6 +66,12 @@ struct Surface {
     vec3 towardsEye;
     float occlusion;
     vec3 emission;
+#ifdef LAYERS
+    LayeredSurface layered;
+    vec3 tangent;    // of anisotropy
+    vec3 bitangent;
+    vec3 coatNormal;
+#endif
 };
 
 #ifdef TEXTURES
@@ -83,6 +96,121 @@ vec4 sampleTexture(int index) {
 }
 
 bool has(int index) { return (material.flags.y & (1 << index)) != 0; }
+#endif
+
+#ifdef TEXTURES
+/// The normal that a normal map's texel bends, within the vertex's tangent space.
+vec3 bentNormal(vec3 normal, vec3 texel, float scale) {
+    vec3 bump = 2.0 * texel - 1.0;
+    bump.xy *= scale;
+    vec3 tangent = viewTangent.xyz - normal * dot(normal, viewTangent.xyz);
+    if (dot(tangent, tangent) <= 1.0e-12 || dot(bump, bump) <= 0.0) {
+        return normal;
+    }
+    tangent = normalize(tangent);
+    vec3 outside = gl_FrontFacing ? normal : -normal;
+    vec3 bitangent = cross(outside, tangent) * viewTangent.w;
+    return normalize(bump.x * tangent + bump.y * bitangent + bump.z * normal);
+}
+#endif
+
+#ifdef LAYERS
+vec4 sampleLayer(SurfaceLayers given, int index) {
+    vec3 uv = vec3((given.flags.z & (1 << index)) != 0 ? secondUv : firstUv, 1.0);
+    vec2 place = vec2(dot(given.uvRows[2 * index].xyz, uv),
+                      dot(given.uvRows[2 * index + 1].xyz, uv));
+    // The array is indexed by constants only, as OpenGL asks for.
+    switch (index) {
+        case kSpecularTexture: return texture(layerTextures[0], place);
+        case kSpecularColorTexture: return texture(layerTextures[1], place);
+        case kClearcoatTexture: return texture(layerTextures[2], place);
+        case kClearcoatRoughnessTexture: return texture(layerTextures[3], place);
+        case kClearcoatNormalTexture: return texture(layerTextures[4], place);
+        case kSheenColorTexture: return texture(layerTextures[5], place);
+        case kSheenRoughnessTexture: return texture(layerTextures[6], place);
+        case kAnisotropyTexture: return texture(layerTextures[7], place);
+        default: return texture(layerTextures[8], place);
+    }
+}
+
+bool hasLayer(SurfaceLayers given, int index) { return (given.flags.y & (1 << index)) != 0; }
+
+/// Turns the tangent to where the surface is rougher; without a tangent there is no such way.
+void readAnisotropy(SurfaceLayers given, inout Surface surface) {
+    surface.layered.anisotropy = given.anisotropy.x;
+    vec2 way = given.anisotropy.yz;
+    if (hasLayer(given, kAnisotropyTexture)) {
+        vec3 texel = sampleLayer(given, kAnisotropyTexture).rgb;
+        vec2 turned = 2.0 * texel.rg - 1.0;
+        way = vec2(turned.x * way.x - turned.y * way.y, turned.x * way.y + turned.y * way.x);
+        surface.layered.anisotropy *= texel.b;
+    }
+    vec3 tangent = viewTangent.xyz - surface.normal * dot(surface.normal, viewTangent.xyz);
+    if (dot(tangent, tangent) <= 1.0e-12 || dot(way, way) <= 1.0e-12) {
+        surface.layered.anisotropy = 0.0;
+        surface.tangent = vec3(0.0);
+        surface.bitangent = vec3(0.0);
+        return;
+    }
+    tangent = normalize(tangent);
+    vec3 outside = gl_FrontFacing ? surface.normal : -surface.normal;
+    vec3 bitangent = cross(outside, tangent) * viewTangent.w;
+    surface.tangent = normalize(way.x * tangent + way.y * bitangent);
+    surface.bitangent = cross(surface.normal, surface.tangent);
+}
+
+/// `smooth`: the normal without the normal map.
+void readLayers(vec3 smoothNormal, inout Surface surface) {
+    SurfaceLayers given = layers[material.flags.w];
+    vec3 specularColor = given.specular.rgb;
+    float specular = given.specular.w;
+    float coat = given.coat.x;
+    float coatRoughness = given.coat.y;
+    vec3 sheenColor = given.sheen.rgb;
+    float sheenRoughness = given.sheen.w;
+    float transmission = given.anisotropy.w;
+    surface.coatNormal = smoothNormal;
+    if (hasLayer(given, kSpecularTexture)) {
+        specular *= sampleLayer(given, kSpecularTexture).a;
+    }
+    if (hasLayer(given, kSpecularColorTexture)) {
+        vec4 texel = sampleLayer(given, kSpecularColorTexture);
+        specularColor *= texel.rgb;
+        if ((given.flags.x & kGlossinessFlag) != 0) {
+            surface.roughness = 1.0 - (1.0 - surface.roughness) * texel.a;
+        }
+    }
+    if (hasLayer(given, kClearcoatTexture)) {
+        coat *= sampleLayer(given, kClearcoatTexture).r;
+    }
+    if (hasLayer(given, kClearcoatRoughnessTexture)) {
+        coatRoughness *= sampleLayer(given, kClearcoatRoughnessTexture).g;
+    }
+    if (hasLayer(given, kClearcoatNormalTexture)) {
+        surface.coatNormal = bentNormal(
+            smoothNormal, sampleLayer(given, kClearcoatNormalTexture).rgb, given.coat.z);
+    }
+    if (hasLayer(given, kSheenColorTexture)) {
+        sheenColor *= sampleLayer(given, kSheenColorTexture).rgb;
+    }
+    if (hasLayer(given, kSheenRoughnessTexture)) {
+        sheenRoughness *= sampleLayer(given, kSheenRoughnessTexture).a;
+    }
+    if (hasLayer(given, kTransmissionTexture)) {
+        transmission *= sampleLayer(given, kTransmissionTexture).r;
+    }
+    surface.layered.baseColor = surface.baseColor;
+    surface.layered.metallic = surface.metallic;
+    surface.layered.roughness = surface.roughness;
+    surface.layered.dielectricF0 = specular * min(given.coat.w * specularColor, vec3(1.0));
+    surface.layered.specular = specular;
+    surface.layered.sheenColor = sheenColor;
+    surface.layered.sheenRoughness = sheenRoughness;
+    surface.layered.coat = coat;
+    surface.layered.coatRoughness = coatRoughness;
+    surface.layered.transmission = transmission;
+    readAnisotropy(given, surface);
+}
 #endif
 
 Surface readSurface() {
@@ -123,24 +251,26 @@ Surface readSurface() {
     if (has(kEmissiveTexture)) {
         surface.emission *= sampleTexture(kEmissiveTexture).rgb;
     }
+#ifdef LAYERS
+    vec3 smoothNormal = surface.normal;
+#endif
     if (has(kNormalTexture)) {
-        vec3 bump = 2.0 * sampleTexture(kNormalTexture).rgb - 1.0;
-        bump.xy *= material.factors.z;
-        vec3 tangent = viewTangent.xyz - surface.normal * dot(surface.normal, viewTangent.xyz);
-        if (dot(tangent, tangent) > 1.0e-12 && dot(bump, bump) > 0.0) {
-            tangent = normalize(tangent);
-            vec3 outside = gl_FrontFacing ? surface.normal : -surface.normal;
-            vec3 bitangent = cross(outside, tangent) * viewTangent.w;
-            vec3 bent = bump.x * tangent + bump.y * bitangent + bump.z * surface.normal;
-            surface.normal = normalize(bent);
-        }
+        surface.normal = bentNormal(surface.normal, sampleTexture(kNormalTexture).rgb,
+                                    material.factors.z);
     }
+#ifdef LAYERS
+    readLayers(smoothNormal, surface);
+#endif
 #endif
     return surface;
 }
 
 /// The light of one candela-lux from a direction that the surface sends to the eye, cosine included.
 vec3 reflected(Surface surface, vec3 towardsLamp) {
+#if defined(LAYERS) && !defined(ILLUMINANCE)
+    return layeredReflection(surface.layered, surface.normal, surface.tangent, surface.bitangent,
+                             surface.coatNormal, towardsLamp, surface.towardsEye);
+#endif
     float nDotL = dot(surface.normal, towardsLamp);
     if (nDotL <= 0.0) {
         return vec3(0.0);
@@ -277,6 +407,10 @@ vec3 ambientLight(Surface surface) {
 #ifdef ILLUMINANCE
     return light;
 #endif
+#ifdef LAYERS
+    albedo = layeredAlbedo(surface.layered, max(dot(surface.normal, surface.towardsEye), 0.0),
+                           max(dot(surface.coatNormal, surface.towardsEye), 0.0));
+#endif
     return albedo * light * (kInversePi * surface.occlusion);
 }
 
@@ -291,6 +425,16 @@ void main() {
     surface.alpha = 1.0;
 #endif
 
+#ifdef SEEN_THROUGH
+    vec3 kept = seenThrough(surface.layered, max(dot(surface.normal, surface.towardsEye), 0.0),
+                            max(dot(surface.coatNormal, surface.towardsEye), 0.0));
+    kept = mix(vec3(1.0), kept, surface.alpha);
+    radiance = vec4(kept, 1.0 - (kept.r + kept.g + kept.b) / 3.0);
+#ifdef NORMAL_OUTPUT
+    normalOutput = vec4(1.0, 1.0, 1.0, 0.0);
+#endif
+    return;
+#endif
 #ifdef ILLUMINANCE
     surface.emission = vec3(0.0);
     surface.alpha = 1.0;
@@ -330,7 +474,19 @@ void main() {
 #else
     radiance = vec4(sum * transmittance(view.haze.y, eyeMetres), surface.alpha);
 #endif
+#ifdef LAYERS
+    // Added to what is seen through it, where anything is.
+    if (layers[material.flags.w].anisotropy.w > 0.0) {
+        radiance = vec4(radiance.rgb * surface.alpha, 0.0);
+    }
+#endif
 #ifdef NORMAL_OUTPUT
     normalOutput = vec4(surface.normal, 1.0);
+#ifdef LAYERS
+    // What is seen through it keeps its own.
+    if (layers[material.flags.w].anisotropy.w > 0.0) {
+        normalOutput = vec4(0.0);
+    }
+#endif
 #endif
 }

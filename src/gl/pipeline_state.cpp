@@ -30,6 +30,8 @@ void apply(const PipelineState& state) {
         glBlendFunc(GL_ONE, GL_ONE);
     } else if (state.blend == Blend::kAlpha) {
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    } else if (state.blend == Blend::kTint) {
+        glBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     }
     enable(GL_CULL_FACE, state.cullBackFaces);
     glFrontFace(state.clockwiseFront ? GL_CW : GL_CCW);

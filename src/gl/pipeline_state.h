@@ -18,6 +18,7 @@ enum class Blend {
     kReplace,
     kAdd,    ///< source + destination
     kAlpha,  ///< source * a + destination * (1 - a)
+    kTint,   ///< source * destination; alphas as kAlpha's
 };
 
 struct PipelineState {

@@ -15,18 +15,25 @@ using nlohmann::json;
 
 // And which file reads it.
 constexpr std::string_view kSupported[] = {
-    "EXT_lights_ies",                   // read_ies
-    "EXT_mesh_gpu_instancing",          // add_instances
-    "EXT_meshopt_compression",          // read_packed_views
-    "EXT_texture_webp",                 // read_images
-    "KHR_draco_mesh_compression",       // read_attributes
-    "KHR_lights_punctual",              // read_light
-    "KHR_materials_emissive_strength",  // read_material
-    "KHR_materials_unlit",              // read_material
-    "KHR_materials_variants",           // choose_variant
-    "KHR_mesh_quantization",            // read_accessor
-    "KHR_node_visibility",              // read_nodes
-    "KHR_texture_transform",            // read_material
+    "EXT_lights_ies",                       // read_ies
+    "EXT_mesh_gpu_instancing",              // add_instances
+    "EXT_meshopt_compression",              // read_packed_views
+    "EXT_texture_webp",                     // read_images
+    "KHR_draco_mesh_compression",           // read_attributes
+    "KHR_lights_punctual",                  // read_light
+    "KHR_materials_anisotropy",             // read_layers
+    "KHR_materials_clearcoat",              // read_layers
+    "KHR_materials_emissive_strength",      // read_material
+    "KHR_materials_ior",                    // read_layers
+    "KHR_materials_pbrSpecularGlossiness",  // read_layers
+    "KHR_materials_sheen",                  // read_layers
+    "KHR_materials_specular",               // read_layers
+    "KHR_materials_transmission",           // read_layers
+    "KHR_materials_unlit",                  // read_material
+    "KHR_materials_variants",               // choose_variant
+    "KHR_mesh_quantization",                // read_accessor
+    "KHR_node_visibility",                  // read_nodes
+    "KHR_texture_transform",                // read_material
 };
 
 struct Version {

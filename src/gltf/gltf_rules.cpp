@@ -140,7 +140,60 @@ const JsonRule kEmissiveStrengthRules[] = {
      .low = 0,
      .high = kMaxEmission},
 };
+const JsonRule kClearcoatRules[] = {
+    unitNumber("clearcoatFactor"),         unitNumber("clearcoatRoughnessFactor"),
+    textureSlot("clearcoatTexture"),       textureSlot("clearcoatRoughnessTexture"),
+    textureSlot("clearcoatNormalTexture"),
+};
+const JsonRule kIorRules[] = {
+    {.key = "ior", .is = Is::kNumber, .onFault = On::kRepair, .low = 0, .high = 1e3},
+};
+const JsonRule kSpecularRules[] = {
+    unitNumber("specularFactor"),
+    {.key = "specularColorFactor",
+     .is = Is::kNumbers,
+     .onFault = On::kRepair,
+     .low = 0,
+     .high = 1e3,
+     .length = 3},
+    textureSlot("specularTexture"),
+    textureSlot("specularColorTexture"),
+};
+const JsonRule kSheenRules[] = {
+    unitNumbers("sheenColorFactor", 3),
+    unitNumber("sheenRoughnessFactor"),
+    textureSlot("sheenColorTexture"),
+    textureSlot("sheenRoughnessTexture"),
+};
+const JsonRule kAnisotropyRules[] = {
+    unitNumber("anisotropyStrength"),
+    {.key = "anisotropyRotation",
+     .is = Is::kNumber,
+     .onFault = On::kRepair,
+     .low = -1e6,
+     .high = 1e6},
+    textureSlot("anisotropyTexture"),
+};
+const JsonRule kTransmissionRules[] = {
+    unitNumber("transmissionFactor"),
+    textureSlot("transmissionTexture"),
+};
+const JsonRule kSpecularGlossinessRules[] = {
+    unitNumbers("diffuseFactor", 4),          unitNumbers("specularFactor", 3),
+    unitNumber("glossinessFactor"),           textureSlot("diffuseTexture"),
+    textureSlot("specularGlossinessTexture"),
+};
+JsonRule materialExtension(std::string_view name, std::span<const JsonRule> members) {
+    return {.key = name, .is = Is::kObject, .onFault = On::kRepair, .members = members};
+}
 const JsonRule kMaterialExtensionRules[] = {
+    materialExtension("KHR_materials_anisotropy", kAnisotropyRules),
+    materialExtension("KHR_materials_clearcoat", kClearcoatRules),
+    materialExtension("KHR_materials_ior", kIorRules),
+    materialExtension("KHR_materials_pbrSpecularGlossiness", kSpecularGlossinessRules),
+    materialExtension("KHR_materials_sheen", kSheenRules),
+    materialExtension("KHR_materials_specular", kSpecularRules),
+    materialExtension("KHR_materials_transmission", kTransmissionRules),
     {.key = "KHR_materials_emissive_strength",
      .is = Is::kObject,
      .onFault = On::kRepair,

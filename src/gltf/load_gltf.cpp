@@ -88,11 +88,11 @@ std::vector<std::size_t> chooseMeshes(std::vector<Node>& nodes, std::size_t mesh
 
 // Returns the glTF's indices of the scene's meshes.
 std::vector<std::size_t> loadMeshes(const Import& import, Scene& scene, Report& report) {
-    NormalMapUvs normalMapUvs;
+    TangentUvs tangentUvs;
     for (std::size_t i = 0; i < import.model.materials.size(); ++i) {
-        normalMapUvs.push_back(normalMapUvOf(import, i));
+        tangentUvs.push_back(tangentUvOf(import, i));
     }
-    normalMapUvs.push_back(-1);
+    tangentUvs.push_back(-1);
     std::vector<std::size_t> chosen = chooseMeshes(scene.nodes, import.model.meshes.size());
     std::vector<MeshUse> uses(chosen.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -106,7 +106,7 @@ std::vector<std::size_t> loadMeshes(const Import& import, Scene& scene, Report& 
                 std::max(use.joints, scene.skins[std::size_t(deformer.skin)].joints.size());
         }
     }
-    scene.meshes = readMeshes(import, uses, normalMapUvs, report);
+    scene.meshes = readMeshes(import, uses, tangentUvs, report);
     return chosen;
 }
 

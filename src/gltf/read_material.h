@@ -35,7 +35,8 @@ class TextureTable {
 Material readMaterial(const Import& import, std::size_t index, TextureTable& textures,
                       Report& report);
 
-/// Which texture coordinates (0 or 1) the normal map of the glTF's material `index` uses, or -1.
-int normalMapUvOf(const Import& import, std::size_t index);
+/// Which texture coordinates (0 or 1) the tangents of the glTF's material `index` follow: its
+/// normal map's, else those of its anisotropy or its coat; -1 where it needs no tangents.
+int tangentUvOf(const Import& import, std::size_t index);
 
 }  // namespace ribalta::gltf

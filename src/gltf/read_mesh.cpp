@@ -73,12 +73,12 @@ std::optional<int> viewWithoutData(const Import& import, const tinygltf::Primiti
     return std::nullopt;
 }
 
-void completeTriangles(Primitive& primitive, int normalMapUv) {
+void completeTriangles(Primitive& primitive, int tangentUv) {
     if (primitive.normals.empty()) {
         makeFlatNormals(primitive);
     }
-    const std::vector<glm::vec2>& uv = normalMapUv == 1 ? primitive.uv1 : primitive.uv0;
-    if (normalMapUv < 0) {
+    const std::vector<glm::vec2>& uv = tangentUv == 1 ? primitive.uv1 : primitive.uv0;
+    if (tangentUv < 0) {
         primitive.tangents.clear();
     } else if (primitive.tangents.empty() && !uv.empty()) {
         makeTangents(primitive, uv);
@@ -116,8 +116,8 @@ void readDeformation(const Import& import, const MeshUse& use, const std::vector
                      Primitive& primitive, Report& report) {
     if (use.joints > 0) {
         const std::uint64_t most = 4 * std::max<std::uint64_t>(joints.size(), 1);
-        import.budget->expectMemory(
-            2 * most * primitive.positions.size() * sizeof(Influence), place);
+        import.budget->expectMemory(2 * most * primitive.positions.size() * sizeof(Influence),
+                                    place);
         setInfluences(joints, use.joints, place, primitive, report);
     }
     if (use.isMorphed) {
@@ -129,9 +129,8 @@ void readDeformation(const Import& import, const MeshUse& use, const std::vector
     for (const MorphTarget& target : primitive.targets) {
         displacements += target.positions.size() + target.normals.size() + target.tangents.size();
     }
-    import.budget->takeMemory(primitive.influences.size() * sizeof(Influence) +
-                                  displacements * sizeof(glm::vec3),
-                              place);
+    import.budget->takeMemory(
+        primitive.influences.size() * sizeof(Influence) + displacements * sizeof(glm::vec3), place);
 }
 
 // Displacements of what is there no longer, or was made here, mean nothing.
@@ -161,7 +160,7 @@ void completeDeformation(bool hadTangents, Primitive& primitive) {
 }
 
 // Nothing where the primitive draws nothing, which is reported. Throws Error(kBadInput).
-std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs& normalMapUvs,
+std::optional<Primitive> readPrimitive(const Import& import, const TangentUvs& tangentUvs,
                                        const MeshUse& use, std::size_t index, Displacements& left,
                                        Report& report) {
     const Place place = import.file.at("meshes").at(use.mesh).at("primitives").at(index);
@@ -185,9 +184,9 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
     }
     checkIndices(primitive, place);
     const std::size_t material =
-        source.material >= 0 ? std::size_t(source.material) : normalMapUvs.size() - 1;
-    const int normalMapUv = normalMapUvs[material];
-    expectGrowth(import, mode, normalMapUv >= 0, primitive, place);
+        source.material >= 0 ? std::size_t(source.material) : tangentUvs.size() - 1;
+    const int tangentUv = tangentUvs[material];
+    expectGrowth(import, mode, tangentUv >= 0, primitive, place);
     readDeformation(import, use, joints, object, place, left, primitive, report);
     primitive.topology = topologyOf(mode);
     primitive.indices = unrollIndices(mode, std::move(primitive.indices));
@@ -199,7 +198,7 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
     }
     const bool hadTangents = !primitive.tangents.empty();
     if (primitive.topology == Topology::kTriangles) {
-        completeTriangles(primitive, normalMapUv);
+        completeTriangles(primitive, tangentUv);
     } else {
         primitive.tangents.clear();
     }
@@ -217,7 +216,8 @@ std::optional<Primitive> readPrimitive(const Import& import, const NormalMapUvs&
 std::vector<std::size_t> listAccessors(const Import& import, const std::vector<Job>& jobs) {
     std::vector<std::size_t> accessors;
     for (const Job& job : jobs) {
-        const tinygltf::Primitive& source = import.model.meshes[job.use.mesh].primitives[job.primitive];
+        const tinygltf::Primitive& source =
+            import.model.meshes[job.use.mesh].primitives[job.primitive];
         if (source.indices >= 0) {
             accessors.push_back(std::size_t(source.indices));
         }
@@ -245,14 +245,14 @@ std::vector<Job> listJobs(const Import& import, const std::vector<MeshUse>& want
     return jobs;
 }
 
-void runJobs(const Import& import, const NormalMapUvs& normalMapUvs, std::vector<Job>& jobs) {
+void runJobs(const Import& import, const TangentUvs& tangentUvs, std::vector<Job>& jobs) {
     Displacements left;
     Progress progress("decoding meshes", jobs.size());
     parallelFor(jobs.size(), [&](std::size_t i) {
         Job& job = jobs[i];
         try {
-            job.result = 
-                readPrimitive(import, normalMapUvs, job.use, job.primitive, left, job.report);
+            job.result =
+                readPrimitive(import, tangentUvs, job.use, job.primitive, left, job.report);
         } catch (const LimitError&) {
             throw;
         } catch (const Error& error) {
@@ -276,10 +276,10 @@ void checkSomethingIsLeft(const std::vector<Job>& jobs) {
 }  // namespace
 
 std::vector<Mesh> readMeshes(const Import& import, const std::vector<MeshUse>& wanted,
-                             const NormalMapUvs& normalMapUvs, Report& report) {
+                             const TangentUvs& tangentUvs, Report& report) {
     std::vector<Job> jobs = listJobs(import, wanted);
     unpackViews(import, listAccessors(import, jobs));
-    runJobs(import, normalMapUvs, jobs);
+    runJobs(import, tangentUvs, jobs);
     checkSomethingIsLeft(jobs);
     std::vector<Mesh> meshes(wanted.size());
     std::size_t next = 0;

@@ -9,9 +9,9 @@
 
 namespace ribalta::gltf {
 
-/// Which texture coordinates a material's normal map uses: -1 none, 0, 1. One a material, and one
+/// Which texture coordinates a material's tangents follow: -1 none, 0, 1. One a material, and one
 /// more at the end for primitives without a material.
-using NormalMapUvs = std::vector<int>;
+using TangentUvs = std::vector<int>;
 
 /// What a mesh of the file is drawn with.
 struct MeshUse {
@@ -23,6 +23,6 @@ struct MeshUse {
 /// The meshes of the file listed in `wanted`, in that order, decoded in parallel. Materials are the
 /// file's indices. A primitive that cannot be drawn is left out and reported. Throws LimitError.
 std::vector<Mesh> readMeshes(const Import& import, const std::vector<MeshUse>& wanted,
-                             const NormalMapUvs& normalMapUvs, Report& report);
+                             const TangentUvs& tangentUvs, Report& report);
 
 }  // namespace ribalta::gltf

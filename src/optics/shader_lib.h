@@ -32,6 +32,7 @@ using glm::log2;
 using glm::max;
 using glm::min;
 using glm::mix;
+using glm::normalize;
 using glm::pow;
 using glm::sqrt;
 using glm::tan;
@@ -44,7 +45,7 @@ using mat4 = glm::dmat4;
 #define float double
 #define OUT(T) T&
 // beam_radiance.glsl needs haze.glsl and spot_light.glsl before it, air_shell.glsl air.glsl,
-// brdf.glsl pi.glsl, the sky's files what they say.
+// brdf.glsl pi.glsl, layers.glsl both, the sky's files what they say.
 // clang-format off
 #include "lib/pi.glsl"
 #include "lib/phase_function.glsl"
@@ -54,6 +55,7 @@ using mat4 = glm::dmat4;
 #include "lib/beam_radiance.glsl"
 #include "lib/beam_geometry.glsl"
 #include "lib/brdf.glsl"
+#include "lib/layers.glsl"
 #include "lib/shadow_projection.glsl"
 #include "lib/tonemap.glsl"
 #include "lib/auto_exposure.glsl"

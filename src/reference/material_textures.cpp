@@ -29,6 +29,17 @@ MaterialTextures::MaterialTextures(const Scene& scene)
         decode(material.metallicRoughnessTexture, Meaning::kData);
         decode(material.normalTexture, Meaning::kData);
         decode(material.occlusionTexture, Meaning::kData);
+        if (const std::optional<MaterialLayers>& layers = material.layers) {
+            decode(layers->specularTexture, Meaning::kData);
+            decode(layers->specularColorTexture, Meaning::kColors);
+            decode(layers->clearcoatTexture, Meaning::kData);
+            decode(layers->clearcoatRoughnessTexture, Meaning::kData);
+            decode(layers->clearcoatNormalTexture, Meaning::kData);
+            decode(layers->sheenColorTexture, Meaning::kColors);
+            decode(layers->sheenRoughnessTexture, Meaning::kData);
+            decode(layers->anisotropyTexture, Meaning::kData);
+            decode(layers->transmissionTexture, Meaning::kData);
+        }
     }
 }
 

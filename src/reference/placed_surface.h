@@ -21,7 +21,7 @@ struct PlacedSurface {
     bool mirrored = false;            ///< front faces run clockwise in the world
     double blendDepth = 0.0;  ///< of its box's centre along the view axis: blended far to near
 
-    bool isBlended() const { return material->alphaMode == Material::AlphaMode::kBlend; }
+    bool isBlended() const { return material->isSeeThrough(); }
     bool isMasked() const { return material->alphaMode == Material::AlphaMode::kMask; }
     /// Blended surfaces cast no shadow.
     bool castsShadow() const { return !isBlended(); }

@@ -162,7 +162,7 @@ class ReferenceFrame {
         for (const SurfaceHit& hit : sight.blended) {
             SeenSurface over = surfaceLight(hit, ray);
             over.light = throughAir(over.light, ray, hit);
-            color = glm::mix(color, over.light, over.alpha);
+            color = color * over.kept + over.light * over.alpha;
         }
         picture_.surfaces[pixel] = color;
         picture_.depths[pixel] =
@@ -199,6 +199,7 @@ class ReferenceFrame {
     struct SeenSurface {
         glm::dvec3 light;  ///< cd/m2 at the eye
         double alpha;
+        glm::dvec3 kept;  ///< of what is behind
     };
     SeenSurface surfaceLight(const SurfaceHit& hit, const PixelRay& ray) const {
         ShadedPoint point = shadedPoint(traced_->surfaces[hit.surface], traced_->textures, hit,
@@ -216,7 +217,7 @@ class ReferenceFrame {
         point.acrossPixel = onPlane(ray.toRight);
         point.upPixel = onPlane(ray.toUp);
         return {light_->radiance(point) * shader::transmittance(extinction_, hit.distance),
-                glm::clamp(point.alpha, 0.0, 1.0)};
+                glm::clamp(point.alpha, 0.0, 1.0), keptBehind(point)};
     }
 
     double readSurfaces(const PixelRay& ray, std::size_t pixel) {

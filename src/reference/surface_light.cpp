@@ -39,18 +39,24 @@ glm::dvec3 lightMapOn(const BeamLamp& lamp, const glm::dvec3& place, const Shade
                              std::log2(std::max(lamp.lightMapTexels() * footprint, 1e-4)));
 }
 
-glm::dvec3 shadingNormal(const PlacedSurface& surface, const MaterialTextures& textures,
-                         const SurfaceHit& hit, const glm::dvec3& geometric) {
+glm::dvec3 vertexNormal(const PlacedSurface& surface, const SurfaceHit& hit,
+                        const glm::dvec3& geometric) {
     const Primitive& primitive = *surface.primitive;
-    const auto corners = surface.corners(hit.triangle);
-    glm::dvec3 normal = geometric;
     if (!primitive.normals.empty()) {
         const glm::dvec3 given =
-            surface.worldFromNormal * blended(primitive.normals, corners, hit.weights);
+            surface.worldFromNormal *
+            blended(primitive.normals, surface.corners(hit.triangle), hit.weights);
         if (glm::dot(given, given) > 0.0) {
-            normal = glm::normalize(given) * (hit.front ? 1.0 : -1.0);
+            return glm::normalize(given) * (hit.front ? 1.0 : -1.0);
         }
     }
+    return geometric;
+}
+
+glm::dvec3 mappedNormal(const PlacedSurface& surface, const MaterialTextures& textures,
+                        const SurfaceHit& hit, glm::dvec3 normal) {
+    const Primitive& primitive = *surface.primitive;
+    const auto corners = surface.corners(hit.triangle);
     const Material& material = *surface.material;
     if (material.normalTexture && !primitive.tangents.empty()) {
         const glm::dvec4 tangent = blended(primitive.tangents, corners, hit.weights);
@@ -65,8 +71,97 @@ glm::dvec3 shadingNormal(const PlacedSurface& surface, const MaterialTextures& t
     return normal;
 }
 
+shader::LayeredSurface layeredSurface(const ShadedPoint& point) {
+    const PointLayers& layers = *point.layers;
+    return {point.baseColor, point.metallic,       point.roughness,    layers.dielectricF0,
+            layers.specular, layers.anisotropy,    layers.sheenColor,  layers.sheenRoughness,
+            layers.coat,     layers.coatRoughness, layers.transmission};
+}
+
+double facing(const glm::dvec3& normal, const ShadedPoint& point) {
+    return std::max(glm::dot(normal, point.towardsEye), 0.0);
+}
+
+/// Turns the tangent to where the surface is rougher; without a tangent there is no such way.
+void readAnisotropy(const Material& material, const PlacedSurface& surface, const SurfaceHit& hit,
+                    const std::optional<glm::dvec4>& texel, const glm::dvec3& normal,
+                    PointLayers& layers) {
+    const double angle = material.layers->anisotropyRotation;
+    glm::dvec2 way(std::cos(angle), std::sin(angle));
+    layers.anisotropy = material.layers->anisotropy;
+    if (texel) {
+        const glm::dvec2 turned(2.0 * texel->x - 1.0, 2.0 * texel->y - 1.0);
+        way = {turned.x * way.x - turned.y * way.y, turned.x * way.y + turned.y * way.x};
+        layers.anisotropy *= texel->z;
+    }
+    glm::dvec4 given(0.0);
+    if (!surface.primitive->tangents.empty()) {
+        given = blended(surface.primitive->tangents, surface.corners(hit.triangle), hit.weights);
+    }
+    glm::dvec3 tangent = glm::dmat3(surface.worldFromLocal) * glm::dvec3(given);
+    tangent -= normal * glm::dot(normal, tangent);
+    if (!(glm::dot(tangent, tangent) > 1e-12) || !(glm::dot(way, way) > 1e-12)) {
+        layers.anisotropy = 0.0;
+        return;
+    }
+    tangent = glm::normalize(tangent);
+    const glm::dvec3 bitangent = glm::cross(hit.front ? normal : -normal, tangent) * given.w;
+    layers.tangent = glm::normalize(way.x * tangent + way.y * bitangent);
+    layers.bitangent = glm::cross(normal, layers.tangent);
+}
+
+/// `smoothNormal`: the point's without its normal map. Changes the roughness where it is
+/// glossiness.
+PointLayers pointLayers(const PlacedSurface& surface, const MaterialTextures& textures,
+                        const SurfaceHit& hit, const glm::dvec3& smoothNormal, ShadedPoint& point) {
+    const MaterialLayers& given = *surface.material->layers;
+    const auto sample = [&](const std::optional<TextureSlot>& slot, Meaning meaning) {
+        return slot ? textures.sample(*slot, meaning, surface, hit.triangle, hit.weights)
+                    : glm::dvec4(1.0);
+    };
+    const glm::dvec4 color = sample(given.specularColorTexture, Meaning::kColors);
+    if (given.glossinessInSpecular) {
+        point.roughness = 1.0 - (1.0 - point.roughness) * color.w;
+    }
+    PointLayers layers;
+    layers.specular = given.specular * sample(given.specularTexture, Meaning::kData).w;
+    layers.dielectricF0 =
+        layers.specular *
+        glm::min(shader::f0FromIor(given.ior) * glm::dvec3(given.specularColor) * glm::dvec3(color),
+                 glm::dvec3(1.0));
+    layers.coat = given.clearcoat * sample(given.clearcoatTexture, Meaning::kData).x;
+    layers.coatRoughness =
+        given.clearcoatRoughness * sample(given.clearcoatRoughnessTexture, Meaning::kData).y;
+    layers.sheenColor = glm::dvec3(given.sheenColor) *
+                        glm::dvec3(sample(given.sheenColorTexture, Meaning::kColors));
+    layers.sheenRoughness =
+        given.sheenRoughness * sample(given.sheenRoughnessTexture, Meaning::kData).w;
+    layers.transmission = given.transmission * sample(given.transmissionTexture, Meaning::kData).x;
+    layers.coatNormal = smoothNormal;
+    if (given.clearcoatNormalTexture && !surface.primitive->tangents.empty()) {
+        const glm::dvec4 tangent =
+            blended(surface.primitive->tangents, surface.corners(hit.triangle), hit.weights);
+        layers.coatNormal =
+            bentNormal(smoothNormal, hit.front ? smoothNormal : -smoothNormal,
+                       glm::dmat3(surface.worldFromLocal) * glm::dvec3(tangent), tangent.w,
+                       2.0 * glm::dvec3(sample(given.clearcoatNormalTexture, Meaning::kData)) - 1.0,
+                       given.clearcoatNormalScale);
+    }
+    std::optional<glm::dvec4> texel;
+    if (given.anisotropyTexture) {
+        texel = sample(given.anisotropyTexture, Meaning::kData);
+    }
+    readAnisotropy(*surface.material, surface, hit, texel, point.normal, layers);
+    return layers;
+}
+
 /// What the surface sends to the eye of one candela-lux from a direction, cosine included.
 glm::dvec3 reflected(const ShadedPoint& point, const glm::dvec3& towardsLamp) {
+    if (point.layers) {
+        return shader::layeredReflection(layeredSurface(point), point.normal, point.layers->tangent,
+                                         point.layers->bitangent, point.layers->coatNormal,
+                                         towardsLamp, point.towardsEye);
+    }
     const double nDotL = glm::dot(point.normal, towardsLamp);
     if (nDotL <= 0.0) {
         return glm::dvec3(0.0);
@@ -83,7 +178,11 @@ glm::dvec3 reflected(const ShadedPoint& point, const glm::dvec3& towardsLamp) {
 /// Of light from all around.
 glm::dvec3 ambientLight(const ShadedPoint& point, const glm::dvec3& lux) {
     const glm::dvec3 specular = glm::mix(glm::dvec3(0.04), point.baseColor, point.metallic);
-    const glm::dvec3 albedo = point.baseColor * (1.0 - point.metallic) + specular;
+    glm::dvec3 albedo = point.baseColor * (1.0 - point.metallic) + specular;
+    if (point.layers) {
+        albedo = shader::layeredAlbedo(layeredSurface(point), facing(point.normal, point),
+                                       facing(point.layers->coatNormal, point));
+    }
     return albedo * lux * (shader::kInversePi * point.occlusion);
 }
 
@@ -132,8 +231,22 @@ ShadedPoint shadedPoint(const PlacedSurface& surface, const MaterialTextures& te
     if (glm::dot(point.geometric, point.towardsEye) < 0.0) {
         point.geometric = -point.geometric;
     }
-    point.normal = shadingNormal(surface, textures, hit, point.geometric);
+    const glm::dvec3 smoothNormal = vertexNormal(surface, hit, point.geometric);
+    point.normal = mappedNormal(surface, textures, hit, smoothNormal);
+    if (material.layers) {
+        point.layers = pointLayers(surface, textures, hit, smoothNormal, point);
+    }
     return point;
+}
+
+glm::dvec3 keptBehind(const ShadedPoint& point) {
+    const double alpha = glm::clamp(point.alpha, 0.0, 1.0);
+    if (!point.layers || !(point.layers->transmission > 0.0) || point.unlit) {
+        return glm::dvec3(1.0 - alpha);
+    }
+    const glm::dvec3 kept = shader::seenThrough(layeredSurface(point), facing(point.normal, point),
+                                                facing(point.layers->coatNormal, point));
+    return glm::mix(glm::dvec3(1.0), kept, alpha);
 }
 
 SurfaceLight::SurfaceLight(const Scene& scene, std::span<const BeamLamp> spots,

@@ -3,6 +3,7 @@
 // size.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,21 @@
 
 namespace ribalta {
 
+/// What a point of a surface with MaterialLayers has besides, textures applied.
+struct PointLayers {
+    glm::dvec3 dielectricF0{0.04};  ///< straight on
+    double specular = 1.0;
+    double coat = 0.0;
+    double coatRoughness = 0.0;
+    glm::dvec3 sheenColor{0.0};
+    double sheenRoughness = 0.0;
+    double anisotropy = 0.0;
+    double transmission = 0.0;
+    glm::dvec3 tangent{0.0};  ///< of anisotropy
+    glm::dvec3 bitangent{0.0};
+    glm::dvec3 coatNormal{0.0};
+};
+
 /// A point of a surface with all that its light depends on.
 struct ShadedPoint {
     glm::dvec3 position{0.0};  ///< world, metres
@@ -31,6 +47,7 @@ struct ShadedPoint {
     double occlusion = 1.0;
     glm::dvec3 emission{0.0};  ///< cd/m2
     bool unlit = false;
+    std::optional<PointLayers> layers;
     /// What the next pixel to the right and the next one up see of the surface's plane, less
     /// position; zero: the pixel sees a point.
     glm::dvec3 acrossPixel{0.0};
@@ -41,6 +58,10 @@ struct ShadedPoint {
 ShadedPoint shadedPoint(const PlacedSurface& surface, const MaterialTextures& textures,
                         const SurfaceHit& hit, const glm::dvec3& origin,
                         const glm::dvec3& direction);
+
+/// What light from straight behind a point keeps on its way to the eye, by channel, its alpha
+/// included.
+glm::dvec3 keptBehind(const ShadedPoint& point);
 
 class SurfaceLight {
   public:

@@ -44,7 +44,7 @@ const Material& materialOf(const Scene& scene, const DrawItem& item) {
 
 bool castsShadow(const Scene& scene, const DrawItem& item) {
     return primitiveOf(scene, item).topology == Topology::kTriangles &&
-           materialOf(scene, item).alphaMode != Material::AlphaMode::kBlend;
+           !materialOf(scene, item).isSeeThrough();
 }
 
 }  // namespace ribalta

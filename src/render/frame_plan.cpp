@@ -132,8 +132,7 @@ void planForward(const Scene& scene, const std::vector<bool>& visible, FramePlan
         }
         const Bounds& bounds = plan.draws[i].worldBounds;
         depth[i] = depthOf(plan.camera, bounds.centre());
-        const bool blended =
-            materialOf(scene, plan.draws[i]).alphaMode == Material::AlphaMode::kBlend;
+        const bool blended = materialOf(scene, plan.draws[i]).isSeeThrough();
         // Light that falls on what is behind a veil cannot be shown with that on the veil.
         if (blended && plan.settings.illuminance) {
             continue;

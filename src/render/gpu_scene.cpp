@@ -10,6 +10,7 @@
 #include <shared/surface.h>
 
 #include "base/log.h"
+#include "optics/shader_lib.h"
 #include "render/upload_image.h"
 
 namespace ribalta {
@@ -96,6 +97,18 @@ struct SlotUse {
     bool colors;
 };
 
+std::array<SlotUse, gpu::kLayerTextures> slotsOf(const MaterialLayers& layers) {
+    return {{{&layers.specularTexture, false},
+             {&layers.specularColorTexture, true},
+             {&layers.clearcoatTexture, false},
+             {&layers.clearcoatRoughnessTexture, false},
+             {&layers.clearcoatNormalTexture, false},
+             {&layers.sheenColorTexture, true},
+             {&layers.sheenRoughnessTexture, false},
+             {&layers.anisotropyTexture, false},
+             {&layers.transmissionTexture, false}}};
+}
+
 std::array<SlotUse, gpu::kMaterialTextures> slotsOf(const Material& material) {
     return {{{&material.baseColorTexture, true},
              {&material.metallicRoughnessTexture, false},
@@ -109,15 +122,9 @@ bool hasPixels(const Scene& scene, const TextureSlot& slot) {
     return !scene.images[std::size_t(image)].pixels.empty();
 }
 
-gpu::SurfaceMaterial describeMaterial(const Scene& scene, const Material& material) {
-    gpu::SurfaceMaterial result{};
-    result.baseColor = material.baseColor;
-    result.emission = glm::vec4(material.emission, material.alphaCutoff);
-    result.factors = glm::vec4(material.metallic, material.roughness, material.normalScale,
-                               material.occlusionStrength);
-    result.flags.x =
-        (material.unlit ? gpu::kUnlitFlag : 0) | (material.doubleSided ? gpu::kDoubleSidedFlag : 0);
-    const auto slots = slotsOf(material);
+// What the shader needs to look textures up, into a SurfaceMaterial or SurfaceLayers.
+template <std::size_t N, typename Description>
+void describeSlots(const Scene& scene, const std::array<SlotUse, N>& slots, Description& result) {
     for (std::size_t t = 0; t < slots.size(); ++t) {
         if (!*slots[t].slot || !hasPixels(scene, **slots[t].slot)) {
             continue;
@@ -129,6 +136,30 @@ gpu::SurfaceMaterial describeMaterial(const Scene& scene, const Material& materi
         result.uvRows[2 * t] = glm::vec4(rows[0], 0.0F);
         result.uvRows[2 * t + 1] = glm::vec4(rows[1], 0.0F);
     }
+}
+
+gpu::SurfaceLayers describeLayers(const Scene& scene, const MaterialLayers& layers) {
+    gpu::SurfaceLayers result{};
+    result.specular = glm::vec4(layers.specularColor, layers.specular);
+    result.coat = glm::vec4(layers.clearcoat, layers.clearcoatRoughness,
+                            layers.clearcoatNormalScale, shader::f0FromIor(double(layers.ior)));
+    result.sheen = glm::vec4(layers.sheenColor, layers.sheenRoughness);
+    result.anisotropy = glm::vec4(layers.anisotropy, std::cos(layers.anisotropyRotation),
+                                  std::sin(layers.anisotropyRotation), layers.transmission);
+    result.flags.x = layers.glossinessInSpecular ? gpu::kGlossinessFlag : 0;
+    describeSlots(scene, slotsOf(layers), result);
+    return result;
+}
+
+gpu::SurfaceMaterial describeMaterial(const Scene& scene, const Material& material) {
+    gpu::SurfaceMaterial result{};
+    result.baseColor = material.baseColor;
+    result.emission = glm::vec4(material.emission, material.alphaCutoff);
+    result.factors = glm::vec4(material.metallic, material.roughness, material.normalScale,
+                               material.occlusionStrength);
+    result.flags.x =
+        (material.unlit ? gpu::kUnlitFlag : 0) | (material.doubleSided ? gpu::kDoubleSidedFlag : 0);
+    describeSlots(scene, slotsOf(material), result);
     return result;
 }
 
@@ -221,19 +252,34 @@ void GpuScene::usePictures(const Scene& scene) {
 void GpuScene::uploadMaterials(const Scene& scene) {
     samplers_.clear();
     hasTextures_.clear();
+    layerIndices_.clear();
     for (const Texture& texture : scene.textures) {
         samplers_.emplace_back(makeSampler(texture.sampler));
     }
     std::vector<gpu::SurfaceMaterial> materials;
-    for (const Material& material : scene.materials) {
-        materials.push_back(describeMaterial(scene, material));
-        hasTextures_.push_back(materials.back().flags.y != 0);
-        for (const SlotUse& use : slotsOf(material)) {
+    std::vector<gpu::SurfaceLayers> layers;
+    const auto useAll = [&](const auto& slots) {
+        for (const SlotUse& use : slots) {
             if (*use.slot) {
                 useTexture(scene, **use.slot, use.colors);
             }
         }
+    };
+    for (const Material& material : scene.materials) {
+        materials.push_back(describeMaterial(scene, material));
+        hasTextures_.push_back(materials.back().flags.y != 0);
+        useAll(slotsOf(material));
+        layerIndices_.push_back(material.layers ? int(layers.size()) : -1);
+        if (material.layers) {
+            materials.back().flags.w = layerIndices_.back();
+            layers.push_back(describeLayers(scene, *material.layers));
+            useAll(slotsOf(*material.layers));
+        }
     }
+    if (!layers.empty()) {
+        layers_.write("surface layers", bytesOf(layers));
+    }
+    layerIndices_.push_back(-1);
     defaultMaterial_ = int(materials.size());
     materials.push_back(describeMaterial(scene, Material{}));
     hasTextures_.push_back(false);
@@ -251,16 +297,24 @@ void GpuScene::useTexture(const Scene& scene, const TextureSlot& slot, bool colo
 
 void GpuScene::bindMaterial(const Scene& scene, const DrawItem& item) const {
     materials_.bindUniform(gpu::kMaterialSlot, materialIndex(item));
-    const auto slots = slotsOf(materialOf(scene, item));
-    for (std::size_t t = 0; t < slots.size(); ++t) {
-        if (!*slots[t].slot) {
-            continue;
+    const auto bindAll = [&](const auto& slots, int firstUnit) {
+        for (std::size_t t = 0; t < slots.size(); ++t) {
+            if (!*slots[t].slot) {
+                continue;
+            }
+            const auto texture = std::size_t((*slots[t].slot)->texture);
+            const auto found =
+                images_.find(std::pair(scene.textures[texture].image, slots[t].colors));
+            const auto unit = GLuint(firstUnit + int(t));
+            glBindTextureUnit(unit, found == images_.end() ? 0 : found->second.name());
+            glBindSampler(unit, samplers_[texture].name());
         }
-        const auto texture = std::size_t((*slots[t].slot)->texture);
-        const auto found = images_.find(std::pair(scene.textures[texture].image, slots[t].colors));
-        const auto unit = GLuint(gpu::kMaterialTexturesUnit + int(t));
-        glBindTextureUnit(unit, found == images_.end() ? 0 : found->second.name());
-        glBindSampler(unit, samplers_[texture].name());
+    };
+    const Material& material = materialOf(scene, item);
+    bindAll(slotsOf(material), gpu::kMaterialTexturesUnit);
+    if (hasLayers(item)) {
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSurfaceLayersSlot, layers_.name());
+        bindAll(slotsOf(*material.layers), gpu::kLayerTexturesUnit);
     }
 }
 

@@ -51,6 +51,10 @@ class GpuScene {
     const Buffer& attributes() const { return attributes_; }
     /// All attributes, for surfaces; positions (and what masks need) for shadow maps are the same.
     GLuint vertexArray() const { return vertexArray_.name(); }
+    /// Whether it is drawn with layers (MaterialLayers), which bindMaterial binds.
+    bool hasLayers(const DrawItem& item) const {
+        return layerIndices_[std::size_t(materialIndex(item))] >= 0;
+    }
     bool hasTextures(const DrawItem& item) const {
         return hasTextures_[std::size_t(materialIndex(item))];
     }
@@ -84,6 +88,8 @@ class GpuScene {
     Buffer attributes_;
     Buffer indices_;
     Buffer materials_;
+    Buffer layers_;                  ///< of those materials that have any
+    std::vector<int> layerIndices_;  ///< by material index; -1 without
     int defaultMaterial_ = 0;
     std::vector<bool> hasTextures_;                     ///< by material index
     std::map<std::pair<int, bool>, Texture2D> images_;  ///< by image and whether sRGB-encoded

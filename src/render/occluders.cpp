@@ -106,7 +106,8 @@ bool mayHide(const Scene& scene, const DrawItem& item) {
     const Primitive& primitive = primitiveOf(scene, item);
     return deformerOf(scene, item) < 0 && primitive.topology == Topology::kTriangles &&
            primitive.indices.size() <= 3 * kMaxTriangles &&
-           materialOf(scene, item).alphaMode == Material::AlphaMode::kOpaque;
+           materialOf(scene, item).alphaMode == Material::AlphaMode::kOpaque &&
+           !materialOf(scene, item).isSeeThrough();
 }
 
 // The face as the camera sees it; without an outline where it shows its unseen side.

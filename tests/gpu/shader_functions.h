@@ -14,7 +14,6 @@
 namespace ribalta::shader {
 namespace {
 
-using glm::normalize;
 using vec4 = glm::dvec4;
 
 // NOLINTBEGIN: GLSL's spelling

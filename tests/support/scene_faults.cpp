@@ -88,9 +88,20 @@ void checkMaterial(const Material& material, std::size_t textures, const std::st
     faults.check(std::isfinite(material.normalScale), what + " normalScale");
     faults.check(std::isfinite(material.occlusionStrength), what + " occlusionStrength");
     faults.check(std::isfinite(material.alphaCutoff), what + " alphaCutoff");
+    const MaterialLayers layers = material.layers.value_or(MaterialLayers{});
+    for (const float share : {layers.specular, layers.clearcoat, layers.clearcoatRoughness,
+                              layers.sheenRoughness, layers.anisotropy, layers.transmission}) {
+        faults.check(share >= 0.0F && share <= 1.0F, what + " layers");
+    }
+    faults.check(layers.ior == 0.0F || layers.ior >= 1.0F, what + " ior");
+    faults.checkFinite(layers.specularColor, what + " specularColor");
+    faults.checkFinite(layers.sheenColor, what + " sheenColor");
     for (const auto* slot :
          {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture, &material.emissiveTexture}) {
+          &material.occlusionTexture, &material.emissiveTexture, &layers.specularTexture,
+          &layers.specularColorTexture, &layers.clearcoatTexture, &layers.clearcoatRoughnessTexture,
+          &layers.clearcoatNormalTexture, &layers.sheenColorTexture, &layers.sheenRoughnessTexture,
+          &layers.anisotropyTexture, &layers.transmissionTexture}) {
         if (!*slot) {
             continue;
         }

@@ -27,6 +27,12 @@ const Program& ForwardPass::program(const Variant& variant) {
         if (variant.illuminance) {
             defines.emplace_back("ILLUMINANCE");
         }
+        if (variant.layers) {
+            defines.emplace_back("LAYERS");
+        }
+        if (variant.seenThrough) {
+            defines.emplace_back("SEEN_THROUGH");
+        }
         if (variant.sunShadow) {
             defines.emplace_back("SUN_SHADOW");
         }
@@ -36,19 +42,35 @@ const Program& ForwardPass::program(const Variant& variant) {
 }
 
 void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
-                           const GpuFrame& frame, int index, bool blended, bool normalOutput) {
+                           const GpuFrame& frame, int index, bool blended, bool normalOutput,
+                           bool seenThrough) {
     const DrawItem& item = plan.draws[std::size_t(index)];
     const Material& material = materialOf(scene, item);
     const glm::dmat4& worldFromLocal = scene.nodes[std::size_t(item.node)].worldFromLocal;
 
+    // What passes through a thin wall has a colour, which alpha has not: first it tints what is
+    // behind, then the wall's own light is added.
+    const bool transmits = material.layers && material.layers->transmission > 0.0F && blended;
+    if (transmits && !seenThrough) {
+        drawItem(scene, plan, gpuScene, frame, index, blended, normalOutput, true);
+    }
+
     PipelineState state;
-    state.program = &program(
-        {gpuScene.hasTextures(item), material.alphaMode == Material::AlphaMode::kMask, normalOutput,
-         plan.sky.has_value(), plan.sunShadow.has_value(), plan.settings.illuminance.has_value()});
+    state.program = &program({.textures = gpuScene.hasTextures(item) || gpuScene.hasLayers(item),
+                              .alphaMask = material.alphaMode == Material::AlphaMode::kMask,
+                              .normalOutput = normalOutput,
+                              .sky = plan.sky.has_value(),
+                              .sunShadow = plan.sunShadow.has_value(),
+                              .illuminance = plan.settings.illuminance.has_value(),
+                              .layers = gpuScene.hasLayers(item),
+                              .seenThrough = seenThrough});
     state.vertexArray = gpuScene.vertexArray();
     state.depthTest = blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
     state.depthWrite = !blended;
-    state.blend = blended ? Blend::kAlpha : Blend::kReplace;
+    state.blend = seenThrough ? Blend::kTint
+                  : transmits ? Blend::kAdd
+                  : blended   ? Blend::kAlpha
+                              : Blend::kReplace;
     state.cullBackFaces = !material.doubleSided;
     state.clockwiseFront = glm::determinant(glm::dmat3(worldFromLocal)) < 0.0;
     apply(state);
@@ -78,6 +100,9 @@ void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FrameP
     glDisable(GL_PROGRAM_POINT_SIZE);
     for (int t = 0; t < gpu::kMaterialTextures; ++t) {
         glBindSampler(GLuint(gpu::kMaterialTexturesUnit + t), 0);
+    }
+    for (int t = 0; t < gpu::kLayerTextures; ++t) {
+        glBindSampler(GLuint(gpu::kLayerTexturesUnit + t), 0);
     }
 }
 

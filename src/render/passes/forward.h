@@ -27,12 +27,15 @@ class ForwardPass {
         bool sky = false;
         bool sunShadow = false;
         bool illuminance = false;
+        bool layers = false;
+        bool seenThrough = false;  ///< what is behind is tinted, and nothing added
 
         auto operator<=>(const Variant&) const = default;
     };
 
     void drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
-                  const GpuFrame& frame, int index, bool blended, bool normalOutput);
+                  const GpuFrame& frame, int index, bool blended, bool normalOutput,
+                  bool seenThrough = false);
     const Program& program(const Variant& variant);
 
     std::map<Variant, Program> programs_;

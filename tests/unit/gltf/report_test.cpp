@@ -36,12 +36,12 @@ TEST(GltfReportTest, FeaturesThatAreNotDrawn) {
 
 TEST(GltfReportTest, ExtensionsAreToldOnceEach) {
     GltfFile file = triangleFile();
-    file.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "EXT_unheard_of"};
+    file.json["extensionsUsed"] = {"KHR_materials_iridescence", "KHR_materials_unlit",
+                                   "EXT_unheard_of"};
     for (int i = 0; i < 3; ++i) {
-        file.push(
-            "materials",
-            {{"extensions",
-              {{"KHR_materials_sheen", json::object()}, {"KHR_materials_unlit", json::object()}}}});
+        file.push("materials", {{"extensions",
+                                 {{"KHR_materials_iridescence", json::object()},
+                                  {"KHR_materials_unlit", json::object()}}}});
     }
     file.json["nodes"][0]["extensions"]["EXT_unheard_of"] = {{"lightProfile", 0}};
     // What users keep in extras is theirs.
@@ -49,9 +49,9 @@ TEST(GltfReportTest, ExtensionsAreToldOnceEach) {
     const LoadedScene loaded = load(file);
     EXPECT_EQ(loaded.extensionsUsed.size(), 3U);
     EXPECT_EQ(loaded.extensionsIgnored,
-              (std::vector<std::string>{"KHR_materials_sheen", "EXT_unheard_of"}));
+              (std::vector<std::string>{"KHR_materials_iridescence", "EXT_unheard_of"}));
     EXPECT_EQ(loaded.report.entries().size(), 2U) << reportText(loaded);
-    expectLine(loaded, Report::Kind::kIgnored, "/materials/0/extensions/KHR_materials_sheen",
+    expectLine(loaded, Report::Kind::kIgnored, "/materials/0/extensions/KHR_materials_iridescence",
                "3 places");
     expectLine(loaded, Report::Kind::kIgnored, "/nodes/0/extensions/EXT_unheard_of",
                "EXT_unheard_of");
