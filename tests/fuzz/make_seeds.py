@@ -64,7 +64,8 @@ def png():
 
     header = struct.pack(">IIBBBBB", 2, 2, 8, 6, 0, 0, 0)
     rows = zlib.compress(b"".join(b"\0" + b"\xff\x80\x10\xff" * 2 for _ in range(2)))
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", rows) + chunk(b"IEND", b"")
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", rows) +
+            chunk(b"IEND", b""))
 
 
 def scenes():
@@ -271,6 +272,24 @@ def ies_files():
     yield "type_a", text("old\nTILT=lamp.tlt", 3, [-45, 45], [-90, 0, 90])
 
 
+def meshopt_streams():
+    """By hand, after the extension's appendix A: what a packed view says, then its bytes."""
+    def head(mode, filter_, count, stride):
+        return bytes([mode + 3 * filter_, (count - 1) % 256, (count - 1) // 256, stride - 1])
+
+    # Four bytes an element: each a group of 16 values that do not change (header 0), then the tail,
+    # 32 bytes long, that ends in the first element.
+    still = b"\xa0" + b"\0" * 4 + b"\0" * 28 + b"\1\2\3\4"
+    for filter_ in (0, 1, 3):
+        yield f"attributes{filter_}", head(0, filter_, 16, 4) + still
+    yield "quaternions", (head(0, 2, 16, 8) + b"\xa0" + b"\0" * 8 + b"\0" * 24 +
+                          b"\1\2\3\4\5\6\7\x08")
+    table = bytes([0x00, 0x76, 0x87, 0x56, 0x67, 0x78, 0xA9, 0x86, 0x65, 0x89, 0x68, 0x98, 0x01,
+                   0x69, 0, 0])
+    yield "triangles", head(1, 0, 6, 2) + b"\xe1\xf0\x10" + table
+    yield "indices", head(2, 0, 6, 2) + b"\xd1" + b"\0\4\4\4\4\4" + b"\0" * 4
+
+
 def looks():
     for path in sorted((ROOT / "samples/looks").glob("*.json")):
         yield path.stem, path.read_bytes()
@@ -293,6 +312,8 @@ def main(folder):
         write(folder / "glb", f"draco{i}", struct.pack("<H", len(document)) + document + binary)
     for name, content in pictures():
         write(folder / "picture", name, content)
+    for name, content in meshopt_streams():
+        write(folder / "meshopt", name, content)
     for name, content in ies_files():
         write(folder / "ies", name, content.encode())
     for name, content in looks():

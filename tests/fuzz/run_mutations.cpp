@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "fuzz/scratch_file.h"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
@@ -123,8 +125,9 @@ int fuzz(double seconds, const std::filesystem::path& dictionary,
         run(seed);
     }
     // What ends the program is found here.
-    const std::filesystem::path last = folder.string() + ".last";
-    std::printf("the last input is kept in %s\n", last.c_str());
+    const ribalta::fuzz::ScratchFile last(".input");
+    std::printf("the last input is in %s, and stays there if it ends the program\n",
+                last.path().c_str());
     std::fflush(stdout);
     Random random(1);  // NOLINT(cert-msc51-cpp): the same files in every run
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
@@ -134,7 +137,7 @@ int fuzz(double seconds, const std::filesystem::path& dictionary,
         for (std::size_t i = 1 + random() % 6; i > 0; --i) {
             mutate(input, words, seeds, random);
         }
-        std::ofstream(last, std::ios::binary) << input;
+        last.write({reinterpret_cast<const std::uint8_t*>(input.data()), input.size()});
         run(input);
     }
     std::printf("%zu seeds, %zu mutations\n", seeds.size(), count);
