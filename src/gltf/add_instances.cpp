@@ -173,7 +173,8 @@ void addInstances(const Import& import, NodeList& list, Report& report) {
         const Where where(extensions, kInstancing);
         const Place place = where.place();
         if (list.nodes[i].deformer >= 0) {
-            report.ignored(place, "is of a mesh with morph targets, which is drawn once, at its node");
+            report.ignored(place,
+                           "is of a mesh with morph targets, which is drawn once, at its node");
             continue;
         }
         try {
