@@ -99,9 +99,10 @@ void checkVersionAndExtensions(const json& root, const Place& file) {
         }
         const auto& name = required[i].get_ref<const std::string&>();
         if (!isSupported(name)) {
-            badInput(file.at("extensionsRequired").at(i),
-                     "the file requires the extension " + name +
-                         ", which is not supported; export it without");
+            badInput(
+                file.at("extensionsRequired").at(i),
+                "the file requires the extension " + name + ", which is not supported; export it " +
+                    (name == "KHR_texture_basisu" ? "with PNG, JPEG or WebP textures" : "without"));
         }
     }
 }

@@ -32,6 +32,7 @@
 #include "gltf/report_oddities.h"
 #include "gltf/report_shapes.h"
 #include "gltf/report_unread.h"
+#include "gltf/units.h"
 
 namespace ribalta {
 namespace {
@@ -247,7 +248,9 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     loaded.files.assign(images.files().begin(), images.files().end());
     loaded.files.push_back(path);
     reportSceneOddities(import, meshes, scene, report);
+    scaleUnits(options, scene);
     placeNodes(scene);
+    hintAtUnits(options, import.file, scene, report);
     watch.lap("place");
 }
 

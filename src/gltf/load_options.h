@@ -34,6 +34,9 @@ struct LoadOptions {
     /// Whether buffers, pictures and the like may lie outside the scene's folder.
     bool allowOutside = false;
 
+    double unitScale = 1.0;       ///< metres of one of the file's units, > 0
+    double intensityScale = 1.0;  ///< of all lamps, > 0
+
     bool operator==(const LoadOptions&) const = default;
 };
 

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/read_file.h"
 #include "gltf/bad_input.h"
+#include "gltf/find_artists_file.h"
 #include "gltf/read_buffers.h"
 #include "gltf/read_uri.h"
 #include "image/claimed_size.h"
@@ -70,17 +71,22 @@ int ImageTable::useImage(std::size_t image) {
     return use(key, std::move(request));
 }
 
-int ImageTable::useFile(const std::string& path, const Place& place) {
+int ImageTable::useFile(const std::string& written, const Place& place, Report& report) {
+    const std::optional<FoundFile> found =
+        findArtistsFile(written, import_.folder, import_.allowOutside, place);
+    const std::string& path = found ? found->path : written;
     std::string key = "path " + path;
-    try {
+    if (found) {
+        if (!found->note.empty()) {
+            report.repaired(place, "is \"" + written + "\", which is not there; \"" + path +
+                                       "\" is used, " + found->note);
+        }
         const std::string file =
             identityOf(resolvePath(path, import_.folder, place, import_.allowOutside));
         if (!file.empty()) {
             key = file;
             files_.insert(file);
         }
-    } catch (const Error&) {
-        // Found again, and reported, when it is decoded.
     }
     return use(key, {place, path, -1, path});
 }

@@ -25,8 +25,8 @@ class ImageTable {
     /// Index into the scene's images of an image of the glTF.
     int useImage(std::size_t image);
     /// Index into the scene's images of a file beside the glTF, named at `place`; a plain path,
-    /// not a URI.
-    int useFile(const std::string& path, const Place& place);
+    /// not a URI, with artists' habits forgiven and reported (find_artists_file).
+    int useFile(const std::string& written, const Place& place, Report& report);
 
     /// Index into the scene's images of one that is made here, which `key` tells from others.
     int useMade(const std::string& key, Image image);

@@ -67,7 +67,7 @@ std::optional<int> lightMapImage(const Property& property, const Import& import,
                                  TextureTable& textures, Report& report) {
     const json& value = property.value;
     if (value.is_string() && !value.get_ref<const std::string&>().empty()) {
-        return images.useFile(value.get<std::string>(), property.place);
+        return images.useFile(value.get<std::string>(), property.place, report);
     }
     const json& texture = member(value, "texture");
     if (texture.is_number_integer()) {

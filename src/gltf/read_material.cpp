@@ -57,6 +57,14 @@ int TextureTable::useImageOf(std::size_t texture) {
     return source < 0 ? -1 : images_.useImage(std::size_t(source));
 }
 
+std::string TextureTable::faultOf(std::size_t texture) const {
+    return extension(element(import_.json, "textures", texture), "KHR_texture_basisu").is_null()
+               ? "which has no image that can be read"
+               : "which has its image as KTX2 alone (KHR_texture_basisu), which is not read; "
+                 "export "
+                 "it as PNG, JPEG or WebP";
+}
+
 int TextureTable::use(std::size_t texture) {
     const auto found = known_.find(texture);
     if (found != known_.end()) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "base/report.h"
@@ -21,6 +22,9 @@ class TextureTable {
     int use(std::size_t texture);
     /// Index into the scene's images of a glTF texture's image, or -1 where it has none.
     int useImageOf(std::size_t texture);
+
+    /// Why a texture has no index.
+    std::string faultOf(std::size_t texture) const;
 
     const std::vector<Texture>& textures() const { return textures_; }
 

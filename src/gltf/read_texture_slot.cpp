@@ -77,8 +77,9 @@ std::optional<TextureSlot> readTextureSlot(const json& holder, const char* key,
     }
     slot.texture = textures.use(source["index"].get<std::size_t>());
     if (slot.texture < 0) {
-        report.ignored(place, "uses texture " + source["index"].dump() +
-                                  ", which has no image that can be read; it is not drawn");
+        report.ignored(place, "uses texture " + source["index"].dump() + ", " +
+                                  textures.faultOf(source["index"].get<std::size_t>()) +
+                                  "; it is not drawn");
         return std::nullopt;
     }
     slot.textureFromUv = readTransform(source, place, report);

@@ -22,25 +22,6 @@ std::optional<unsigned> hexDigit(char c) {
     return std::nullopt;
 }
 
-// A '%' that starts no escape stands for itself: exporters write such names.
-std::string percentDecode(std::string_view text) {
-    std::string decoded;
-    decoded.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '%' && i + 2 < text.size()) {
-            const auto high = hexDigit(text[i + 1]);
-            const auto low = hexDigit(text[i + 2]);
-            if (high && low) {
-                decoded += char(*high * 16 + *low);
-                i += 2;
-                continue;
-            }
-        }
-        decoded += text[i];
-    }
-    return decoded;
-}
-
 std::optional<unsigned> base64Digit(char c) {
     if (c >= 'A' && c <= 'Z') {
         return unsigned(c - 'A');
@@ -111,6 +92,24 @@ std::string_view schemeOf(std::string_view uri) {
 }
 
 }  // namespace
+
+std::string percentDecode(std::string_view text) {
+    std::string decoded;
+    decoded.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && i + 2 < text.size()) {
+            const auto high = hexDigit(text[i + 1]);
+            const auto low = hexDigit(text[i + 2]);
+            if (high && low) {
+                decoded += char(*high * 16 + *low);
+                i += 2;
+                continue;
+            }
+        }
+        decoded += text[i];
+    }
+    return decoded;
+}
 
 bool isDataUri(std::string_view uri) {
     return equalsIgnoringCase(uri.substr(0, 5), "data:");

@@ -11,6 +11,10 @@
 
 namespace ribalta::gltf {
 
+/// %20 and the like as the characters they stand for. A '%' that starts no such code stands for
+/// itself: exporters write such names.
+std::string percentDecode(std::string_view text);
+
 bool isDataUri(std::string_view uri);
 
 /// The bytes of a data: URI, base64 or percent-encoded, whatever its media type and parameters.

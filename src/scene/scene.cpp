@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace ribalta {
 namespace {
 
@@ -63,6 +65,10 @@ bool vanishes(const glm::dmat4& worldFromLocal) {
 void placeNodes(Scene& scene) {
     for (Node& node : scene.nodes) {
         node.worldFromLocal = node.parentFromLocal;
+        if (node.parent < 0 && scene.unitMetres != 1.0) {
+            node.worldFromLocal =
+                glm::scale(glm::dmat4(1.0), glm::dvec3(scene.unitMetres)) * node.parentFromLocal;
+        }
         node.shown = node.visible;
         if (node.parent >= 0) {
             const Node& parent = scene.nodes[std::size_t(node.parent)];

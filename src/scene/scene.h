@@ -20,6 +20,7 @@ namespace ribalta {
 /// Indices between the vectors are checked on import: in range or -1.
 struct Scene {
     std::string name;
+    double unitMetres = 1.0;  ///< roots are scaled by it
     std::vector<Node> nodes;  ///< parents before children
     std::vector<Mesh> meshes;
     std::vector<Skin> skins;

@@ -78,6 +78,14 @@ LoadLimits parseLimits(const std::string& text) {
     return limits;
 }
 
+// Wide enough for any unit, narrow enough for single precision.
+std::string expectScale(const std::string& text) {
+    const auto number = parseNumber<double>(text);
+    return number && *number >= 1e-6 && *number <= 1e6
+               ? ""
+               : "'" + text + "' is not a number in 0.000001..1000000";
+}
+
 }  // namespace
 
 void LoadingOptions::addTo(CLI::App& command) {
@@ -100,6 +108,16 @@ void LoadingOptions::addTo(CLI::App& command) {
         ->type_name("KEY=N[,...]");
     command.add_flag("--allow-outside", allowOutside,
                      "read buffers and pictures that lie outside the scene's folder, too");
+    command
+        .add_option("--unit-scale", unitScale,
+                    "metres of one of the file's units, such as 0.01 for centimetres (default: 1)")
+        ->type_name("METRES")
+        ->check(expectScale, "");
+    command
+        .add_option("--intensity-scale", intensityScale,
+                    "factor for the intensity of all of the file's lamps (default: 1)")
+        ->type_name("FACTOR")
+        ->check(expectScale, "");
 }
 
 LoadOptions LoadingOptions::parsed() const {
@@ -110,6 +128,8 @@ LoadOptions LoadingOptions::parsed() const {
     }
     options.allowOutside = allowOutside;
     options.variant = variant;
+    options.unitScale = unitScale;
+    options.intensityScale = intensityScale;
     return options;
 }
 

@@ -12,11 +12,13 @@ class App;
 
 namespace ribalta {
 
-/// The options --scene, --variant, --limits and --allow-outside. Must outlive the parsing of the
-/// command it is added to.
+/// The options --scene, --variant, --unit-scale, --intensity-scale, --limits and --allow-outside.
+/// Must outlive the parsing of the command it is added to.
 struct LoadingOptions {
     std::optional<std::string> scene;
     std::optional<std::string> variant;
+    double unitScale = 1.0;
+    double intensityScale = 1.0;
     std::optional<std::string> limits;
     bool allowOutside = false;
 

@@ -1,0 +1,129 @@
+// Artists' habits: paths of light maps as people type them, and files in other units.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "gltf_file.h"
+#include "support/make_png.h"
+
+namespace ribalta::test {
+namespace {
+
+using nlohmann::json;
+
+// Spots with these intensities, ten metres apart times `spacing`, and a triangle.
+GltfFile lampFile(const std::vector<double>& candela, double spacing = 1.0,
+                  const json& extras = nullptr) {
+    GltfFile file = triangleFile();
+    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    json& lights = file.json["extensions"]["KHR_lights_punctual"]["lights"];
+    for (std::size_t i = 0; i < candela.size(); ++i) {
+        json light = {
+            {"type", "spot"}, {"intensity", candela[i]}, {"range", 7.0}, {"spot", json::object()}};
+        if (!extras.is_null()) {
+            light["extras"] = extras;
+        }
+        lights.push_back(light);
+        file.addNode({{"translation", {10.0 * spacing * double(i), 5.0, 0.0}},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", i}}}}}});
+    }
+    return file;
+}
+
+TEST(HabitsTest, LightMapsAreFoundAsTheyAreMeant) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder.path() / "Gobos");
+    const auto png = makePng({.rows = {std::string(4, '\x80')}});
+    folder.write("Gobos/My Star.png", png);
+    folder.write("window.png", png);
+    const auto found = [&](const std::string& written, const std::string& word) {
+        SCOPED_TRACE(written);
+        const LoadedScene loaded =
+            load(lampFile({1000.0}, 1.0, {{"light_map", written}}).writeTo(folder));
+        ASSERT_EQ(loaded.scene.images.size(), 1U);
+        EXPECT_EQ(loaded.scene.images[0].width, 1) << reportText(loaded);
+        if (word.empty()) {
+            EXPECT_EQ(reportText(loaded), "");
+        } else {
+            expectLine(loaded, Report::Kind::kRepaired,
+                       "/extensions/KHR_lights_punctual/lights/0/extras/light_map", word);
+        }
+    };
+    found("Gobos/My Star.png", "");
+    found(" Gobos/My Star.png ", "spaces");
+    found("\"window.png\"", "quotes");
+    found("Gobos\\My Star.png", "slashes");
+    found("//Gobos/My Star.png", "Blender");
+    found("//Gobos\\my%20star.PNG", "letters");
+    found("Gobos/My%20Star.png", "%-codes");
+    found("C:\\Users\\Someone\\Desktop\\window.png", "beside the scene");
+    found("/home/someone/window.png", "beside the scene");
+    found("file:///home/someone/WINDOW.png", "letters");
+    found("gobos/MY STAR.png", "letters");
+}
+
+TEST(HabitsTest, TexturesOfUnreadKindsAreNamedWithACure) {
+    GltfFile file = triangleFile();
+    file.json["meshes"][0]["primitives"][0]["material"] = 0;
+    file.push("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    file.push("textures", {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}});
+    file.push("images", {{"uri", "wood.ktx2"}});
+    file.json["extensionsUsed"] = {"KHR_texture_basisu"};
+    expectLine(load(file), Report::Kind::kIgnored,
+               "/materials/0/pbrMetallicRoughness/baseColorTexture", "export it as PNG");
+    file.json["extensionsRequired"] = {"KHR_texture_basisu"};
+    expectRefused(file, "/extensionsRequired/0", {"KHR_texture_basisu", "PNG, JPEG or WebP"});
+}
+
+TEST(HabitsTest, NoWayLeadsOutOfTheFolder) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder.path() / "scene");
+    folder.write("secret.png", makePng({.rows = {std::string(4, '\x80')}}));
+    for (const std::string written : {"../secret.png", "..\\secret.png", "%2e%2e/secret.png",
+                                      "//../secret.png", "../SECRET.png"}) {
+        const GltfFile file = lampFile({1000.0}, 1.0, {{"light_map", written}});
+        const LoadedScene loaded = load(folder.write("scene/scene.gltf", file.text()));
+        EXPECT_GT(loaded.scene.images.at(0).width, 1) << written;  // the checkerboard
+    }
+}
+
+LoadedScene loadScaled(const GltfFile& file, double units, double intensity) {
+    const TestFolder folder;
+    LoadOptions options;
+    options.unitScale = units;
+    options.intensityScale = intensity;
+    return loadGltf(file.writeTo(folder), options);
+}
+
+TEST(HabitsTest, UnitsAreScaledAsAsked) {
+    GltfFile file = lampFile({1000.0, 1000.0, 1000.0});
+    file.json["cameras"] = {
+        {{"type", "orthographic"},
+         {"orthographic", {{"xmag", 200}, {"ymag", 100}, {"znear", 10}, {"zfar", 5000}}}}};
+    file.addNode({{"camera", 0}, {"translation", {100, 200, 300}}});
+    const LoadedScene loaded = loadScaled(file, 0.01, 5.0);
+    EXPECT_NEAR(loaded.scene.cameras.at(0).frame.position.z, 3.0, 1e-12);
+    EXPECT_NEAR(loaded.scene.cameras.at(0).nearMetres, 0.1, 1e-12);
+    EXPECT_NEAR(std::get<OrthographicLens>(loaded.scene.cameras[0].lens).halfWidth, 2.0, 1e-12);
+    EXPECT_NEAR(loaded.scene.spotLights.at(1).frame.position.x, 0.1, 1e-12);
+    EXPECT_NEAR(loaded.scene.spotLights[1].rangeMetres, 0.07, 1e-12);
+    EXPECT_NEAR(loaded.scene.spotLights[1].intensityCandela, 5000.0, 1e-9);
+    EXPECT_NEAR(sceneBounds(loaded.scene).high.x, 0.01, 1e-9);
+}
+
+TEST(HabitsTest, CentimetresAreGuessedByTheLampsSpacing) {
+    expectLine(load(lampFile({1e4, 1e4, 1e4}, 10.0)), Report::Kind::kHint, "", "centimetres");
+    EXPECT_EQ(reportText(load(lampFile({1e4, 1e4, 1e4}, 1.0))), "");
+    EXPECT_EQ(reportText(load(lampFile({1e4, 1e4}, 10.0))), "");  // too few to say
+    EXPECT_EQ(loadScaled(lampFile({1e4, 1e4, 1e4}, 10.0), 0.01, 1.0).report.entries().size(), 0U);
+}
+
+TEST(HabitsTest, LampsWithoutUnitsAreGuessedByTheBrightest) {
+    expectLine(load(lampFile({20.0, 50.0})), Report::Kind::kHint, "", "household bulb");
+    EXPECT_EQ(reportText(load(lampFile({20.0, 5000.0}))), "");
+    EXPECT_EQ(reportText(load(lampFile({20.0}))), "");
+    EXPECT_EQ(loadScaled(lampFile({20.0, 50.0}), 1.0, 683.0).report.entries().size(), 0U);
+}
+
+}  // namespace
+}  // namespace ribalta::test
