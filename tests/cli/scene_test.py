@@ -113,11 +113,11 @@ class Inspect(CommandTest):
 
     def test_tells_what_is_ignored_with_its_place(self):
         scene = make_floor()
-        scene["extensionsUsed"].append("KHR_materials_clearcoat")
-        scene["materials"] = [{"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 1}}}]
+        scene["extensionsUsed"].append("KHR_materials_iridescence")
+        scene["materials"] = [{"extensions": {"KHR_materials_iridescence": {"iridescenceFactor": 1}}}]
         scene["meshes"][0]["primitives"][0]["material"] = 0
         text = self.expect_done("inspect", self.write_scene("coat.gltf", scene)).stdout
-        self.assertIn("KHR_materials_clearcoat (ignored)", text)
+        self.assertIn("KHR_materials_iridescence (ignored)", text)
         self.assertRegex(text, r"ignored: /materials/0")
 
     def test_strict_makes_errors_of_the_report(self):

@@ -45,6 +45,7 @@ class WindowTest(CommandTest):
         self.window = self.desktop.find_window(self.process)
         if first:
             self.expect(first)
+            self.rest()
             self.point(WIDTH // 4, HEIGHT - 20)
 
     def end(self):
