@@ -120,7 +120,7 @@ class Mappings {
 
 std::vector<std::string> chooseVariant(json& root, const std::optional<std::string>& nameOrIndex,
                                        const Place& file, Report& report) {
-    const std::vector<std::string> names = namesOf(root, file, report);
+    std::vector<std::string> names = namesOf(root, file, report);
     std::optional<std::size_t> chosen;
     if (nameOrIndex) {
         chosen = findNamed(names, *nameOrIndex, "variant", "it has none at all", file);

@@ -224,11 +224,6 @@ std::vector<std::size_t> listAccessors(const Import& import, const std::vector<J
         for (const auto& [name, accessor] : source.attributes) {
             accessors.push_back(std::size_t(accessor));
         }
-        for (const auto& target : source.targets) {
-            for (const auto& [name, accessor] : target) {
-                accessors.push_back(std::size_t(accessor));
-            }
-        }
     }
     return accessors;
 }

@@ -130,12 +130,12 @@ std::span<const std::byte> packedBytes(const Import& import, std::size_t view) {
     std::call_once(packed.once, [&] {
         try {
             packed.bytes = unpack(import, view);
-        } catch (const Error& error) {
-            packed.fault = error;
+        } catch (const Error&) {
+            packed.fault = std::current_exception();
         }
     });
     if (packed.fault) {
-        throw *packed.fault;
+        std::rethrow_exception(packed.fault);
     }
     return packed.bytes;
 }

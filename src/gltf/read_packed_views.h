@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,7 +21,7 @@ struct Import;
 struct PackedView {
     std::once_flag once;
     std::vector<std::byte> bytes;
-    std::optional<Error> fault;  ///< why there are no bytes
+    std::exception_ptr fault;  ///< why there are no bytes
 };
 
 /// By buffer view; null where it is plain. Empty where none is packed.

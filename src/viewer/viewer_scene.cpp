@@ -66,13 +66,17 @@ void Viewer::takeLoaded() {
 }
 
 void Viewer::tellOfEnd(const BackgroundLoader::End& end) {
+    if (stage_ && stage_->path() == end.path && !isComplete_) {
+        isComplete_ = true;
+        if (stats_.scenesLoaded == 1) {
+            stats_.load.push_back({"images", end.imagesMs});
+        }
+    }
     if (!end.error.empty()) {
         state_.sayError(end.error + (stage_ ? " (the scene stays as it was)" : ""));
         watchFiles();
         return;
     }
-    isComplete_ = true;
-    stats_.load.push_back({"images", end.imagesMs});
     if (const std::size_t missing = countRepaired(end.report); missing > 0) {
         state_.sayError(
             std::to_string(missing) +

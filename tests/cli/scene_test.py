@@ -120,6 +120,29 @@ class Inspect(CommandTest):
         self.assertIn("KHR_materials_iridescence (ignored)", text)
         self.assertRegex(text, r"ignored: /materials/0")
 
+    def test_variants(self):
+        scene = make_floor()
+        scene["extensionsUsed"].append("KHR_materials_variants")
+        scene["extensions"]["KHR_materials_variants"] = {"variants": [{"name": "by day"}, {"name": "by night"}]}
+        scene["materials"] = [{"name": "light"}, {"name": "dark", "pbrMetallicRoughness": {
+            "baseColorFactor": [0, 0, 0, 1], "metallicFactor": 0}}]
+        scene["meshes"][0]["primitives"][0].update(material=0, extensions={
+            "KHR_materials_variants": {"mappings": [{"variants": [1], "material": 1}]}})
+        path = self.write_scene("variants.gltf", scene)
+        for chosen, material in [([], "light"), (["--variant", "by day"], "light"),
+                                 (["--variant", "by night"], "dark"), (["--variant=1"], "dark")]:
+            text = self.expect_done("inspect", path, *chosen).stdout
+            self.assertIn(f"'{material}'", text)
+        self.expect_error(USAGE, ["by noon", "by day", "by night"], "inspect", path, "--variant=by noon")
+
+    def test_other_units(self):
+        path = self.write_scene("centimetres.gltf", make_floor(scale=100.0))
+        text = self.expect_done("inspect", path, "--unit-scale=0.01", "--intensity-scale=2").stdout
+        self.assertIn("4 x 0 x 4 m", text)
+        self.assertIn("'lamp' 20000000 cd", text)
+        for wrong in ["--unit-scale=0", "--unit-scale=x", "--intensity-scale=-1"]:
+            self.expect_error(USAGE, [wrong.partition("=")[0]], "inspect", path, wrong)
+
     def test_strict_makes_errors_of_the_report(self):
         scene = make_floor()
         self.expect_done("inspect", self.write_scene("fine.gltf", scene), "--strict")

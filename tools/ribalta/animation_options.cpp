@@ -11,7 +11,7 @@
 namespace ribalta {
 namespace {
 
-constexpr int kLastFrame = 9'999'999;
+constexpr int kLastFrame = 999'999;
 
 std::string expectFps(const std::string& text) {
     const double fps = parseNumber<double>(text).value_or(0.0);

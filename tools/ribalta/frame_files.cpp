@@ -80,6 +80,13 @@ std::vector<std::filesystem::path> allFrameFiles(const std::vector<std::filesyst
             files.push_back(numbered(output, frame));
         }
     }
+    std::vector<std::filesystem::path> sorted = files;
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end()) {
+        throw Error(ErrorKind::kUsage, {twice->string(), ""},
+                    "is what two of the outputs call one of their frames; give other names");
+    }
     return files;
 }
 

@@ -20,7 +20,7 @@ bool isVideo(const std::filesystem::path& path);
 /// with at least as many digits; without any, "_0001" before the ending.
 std::filesystem::path numbered(const std::filesystem::path& picture, int frame);
 
-/// All that a range of frames is written to.
+/// All that a range of frames is written to. Throws Error(kUsage) where two of them are one file.
 std::vector<std::filesystem::path> allFrameFiles(const std::vector<std::filesystem::path>& outputs,
                                                  const FrameRange& range);
 
