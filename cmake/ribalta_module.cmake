@@ -39,24 +39,19 @@ function(ribalta_precompile TARGET KIND)
     endif()
 endfunction()
 
-# ribalta_module(NAME SOURCES ... LINKS ... PRIVATE_LINKS ... PRECOMPILE ...): a static library
-# ribalta_NAME from sources in the current folder. LINKS are seen by whoever uses the module. PRECOMPILE:
-# large headers that most of its files include.
+# ribalta_module(NAME SOURCES ... LINKS ... PRIVATE_LINKS ...): a static library ribalta_NAME
+# from sources in the current folder. LINKS are seen by whoever uses the module.
 function(ribalta_module NAME)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS;PRECOMPILE" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
     add_library(ribalta_${NAME} STATIC ${ARG_SOURCES})
     target_link_libraries(
         ribalta_${NAME}
         PUBLIC glm::glm ${ARG_LINKS}
         PRIVATE ribalta_options ${ARG_PRIVATE_LINKS})
     target_include_directories(ribalta_${NAME} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-    set(kind module)
-    if(ARG_PRECOMPILE)
-        set(kind module_${NAME})
-    endif()
     ribalta_precompile(
         ribalta_${NAME}
-        ${kind}
+        module
         <algorithm>
         <cmath>
         <filesystem>
@@ -67,8 +62,7 @@ function(ribalta_module NAME)
         <string>
         <variant>
         <vector>
-        <glm/glm.hpp>
-        ${ARG_PRECOMPILE})
+        <glm/glm.hpp>)
 endfunction()
 
 # All tests that need no OpenGL, which is what the sanitized build is made for, and all others, with
@@ -76,22 +70,21 @@ endfunction()
 add_custom_target(cpu_tests)
 add_custom_target(gpu_tests)
 
-# ribalta_test(NAME [HEADER_CODE] LABEL unit|gpu|images|corpus SOURCES ... LINKS ... PRECOMPILE ...): a
-# GoogleTest program whose cases CTest runs one by one. HEADER_CODE: what it tests is compiled with the
-# test.
+# ribalta_test(NAME [HEADER_CODE] LABEL unit|gpu|images|corpus SOURCES ... LINKS ...): a GoogleTest
+# program whose cases CTest runs one by one. HEADER_CODE: what it tests is compiled with the test.
 function(ribalta_test NAME)
-    cmake_parse_arguments(ARG "HEADER_CODE" "LABEL" "SOURCES;LINKS;PRECOMPILE" ${ARGN})
+    cmake_parse_arguments(ARG "HEADER_CODE" "LABEL" "SOURCES;LINKS" ${ARGN})
     add_executable(${NAME} ${ARG_SOURCES})
     target_link_libraries(${NAME} PRIVATE ribalta_options GTest::gtest GTest::gtest_main
                                           ${ARG_LINKS})
     if(RIBALTA_SANITIZE AND NOT ARG_HEADER_CODE)
         target_link_libraries(${NAME} PRIVATE ribalta_tests_own_code)
     endif()
-    set(kind test)
-    if(ARG_HEADER_CODE OR ARG_PRECOMPILE)
-        set(kind test_${NAME})
+    if(ARG_HEADER_CODE)
+        ribalta_precompile(${NAME} test_of_headers <gtest/gtest.h> <glm/glm.hpp>)
+    else()
+        ribalta_precompile(${NAME} test <gtest/gtest.h> <glm/glm.hpp>)
     endif()
-    ribalta_precompile(${NAME} ${kind} <gtest/gtest.h> <glm/glm.hpp> ${ARG_PRECOMPILE})
     target_include_directories(${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(
         ${NAME} PRIVATE RIBALTA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

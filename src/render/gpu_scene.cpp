@@ -207,11 +207,15 @@ void GpuScene::uploadGeometry(const Scene& scene) {
         positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
         appendAttributes(primitive, attributes);
     };
-    // Meshes that are drawn deformed alone need no vertices of their own.
+    // Meshes that are drawn deformed alone need no vertices of their own; those that no node has
+    // may be given to one later.
+    std::vector<bool> isOfNode(scene.meshes.size(), false);
     std::vector<bool> isDrawnAtRest(scene.meshes.size(), false);
     for (const Node& node : scene.nodes) {
-        if (node.mesh >= 0 && node.deformer < 0) {
-            isDrawnAtRest[std::size_t(node.mesh)] = true;
+        if (node.mesh >= 0) {
+            isOfNode[std::size_t(node.mesh)] = true;
+            isDrawnAtRest[std::size_t(node.mesh)] =
+                isDrawnAtRest[std::size_t(node.mesh)] || node.deformer < 0;
         }
     }
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
@@ -220,7 +224,7 @@ void GpuScene::uploadGeometry(const Scene& scene) {
             list.push_back({modeOf(primitive.topology), GLsizei(primitive.indices.size()),
                             indices.size() * sizeof(std::uint32_t), GLint(positions.size())});
             indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-            if (isDrawnAtRest[m]) {
+            if (isDrawnAtRest[m] || !isOfNode[m]) {
                 appendVertices(primitive);
             }
         }
