@@ -72,8 +72,7 @@ void sampleWeights(const AnimationSampler& sampler, double seconds, std::span<fl
 double durationSeconds(const Scene& scene, int animation = kAllAnimations);
 
 /// Moves the scene's nodes, and what hangs on them, to where they are at a time, and shapes what is
-/// deformed. What the chosen
-/// animation does not move rests. Takes no memory.
+/// deformed. What the chosen animation does not move rests. Takes no memory.
 void poseScene(Scene& scene, double seconds, int animation = kAllAnimations);
 
 /// Puts all that moves back to where the file places it.
