@@ -8,6 +8,7 @@
 
 #include "gl/counters.h"
 #include "gpu_test.h"
+#include "reference/reference_picture.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
@@ -73,8 +74,20 @@ void addJoints(Random& random, std::size_t count, Scene& scene) {
 }
 
 void addDeformed(Scene& scene, Primitive primitive, int skin, std::vector<float> weights) {
+    primitive.bounds = {};
     for (const glm::vec3& position : primitive.positions) {
         primitive.bounds.add(glm::dvec3(position));
+    }
+    for (MorphTarget& target : primitive.targets) {
+        for (const glm::vec3& displacement : target.positions) {
+            target.bounds.add(glm::dvec3(displacement));
+        }
+    }
+    for (std::size_t i = 0; i < primitive.influences.size(); ++i) {
+        const std::size_t joint = primitive.influences[i].joint;
+        primitive.jointBounds.resize(std::max(primitive.jointBounds.size(), joint + 1));
+        primitive.jointBounds[joint].add(
+            glm::dvec3(primitive.positions[i / std::size_t(primitive.influencesPerVertex)]));
     }
     Node& node = scene.nodes.emplace_back();
     node.mesh = int(scene.meshes.size());
@@ -152,10 +165,6 @@ class DeformedStage : public GpuTest {
         Primitive panel = makeQuad({0, 1, 0}, {1, 0, 0}, {0, 0, -1});
         panel.influencesPerVertex = 1;
         panel.influences.assign(panel.positions.size(), {0, 1.0F});
-        panel.jointBounds.resize(1);
-        for (const glm::vec3& position : panel.positions) {
-            panel.jointBounds[0].add(glm::dvec3(position));
-        }
         addDeformed(scene_, std::move(panel), 0, {});
         scene_.spotLights.push_back(makeSpot({0, 6, 0}, {0, 0, 0}, 0.6));
         settings_.haze.scatteringPerMetre = 0.0;
@@ -193,6 +202,66 @@ TEST_F(DeformedStage, IsDrawnAsTheSameMeshAtItsPlace) {
         }
     }
     EXPECT_GT(most, 0.1);
+}
+
+// A sphere that two joints and a morph target bend: the renderer deforms it on the GPU, the
+// reference on the processor, and each shades it by its own code.
+TEST_F(Deform, LooksAsTheReferenceSeesIt) {
+    Random random(3);
+    Scene scene;
+    addJoints(random, 2, scene);
+    Primitive sphere = makeSphere({0, 0, 0}, 1.0F, 24);
+    sphere.influencesPerVertex = 2;
+    MorphTarget& target = sphere.targets.emplace_back();
+    for (std::size_t v = 0; v < sphere.positions.size(); ++v) {
+        const float upper = 0.5F + 0.5F * sphere.positions[v].y;
+        sphere.influences.push_back({0, 1.0F - upper});
+        sphere.influences.push_back({1, upper});
+        target.positions.push_back(0.4F * sphere.normals[v]);
+        target.normals.push_back(vector(random, 0.1F));
+    }
+    addDeformed(scene, std::move(sphere), 0, {0.75F});
+    for (int joint = 0; joint < 2; ++joint) {
+        Pose pose;
+        pose.translation = {0.6 * joint - 0.3, 0.0, 0.0};
+        pose.rotation = glm::angleAxis(0.5 * joint, glm::dvec3(0.6, 0.0, 0.8));
+        pose.scale = glm::dvec3(1.0, 1.0 + 0.5 * joint, 1.0);
+        scene.nodes[std::size_t(joint)].parentFromLocal = pose.parentFromLocal();
+    }
+    placeNodes(scene);
+    scene.materials.push_back(makeMaterial({0.8F, 0.4F, 0.1F}, 0.0F, 0.5F));
+    scene.meshes[0].primitives[0].material = 0;
+    DirectionalLight light;
+    light.direction = glm::normalize(glm::dvec3(-0.3, -1.0, -0.6));
+    light.illuminanceLux = 30.0;
+    scene.directionalLights.push_back(light);
+
+    const Camera camera = makeCamera({0.0, 1.5, 4.5}, {0.0, 0.3, 0.0});
+    const FrameSettings settings = measuringSettings(96, 72);
+    const Frame3 frame = drawOnce(scene, camera, settings);
+    ReferenceSettings reference;
+    reference.camera = camera;
+    reference.width = settings.width;
+    reference.height = settings.height;
+    reference.haze = settings.haze;
+    reference.ambientLux = settings.ambientLux;
+    const ReferencePicture truth = drawReference(scene, reference);
+    int seen = 0;
+    int others = 0;
+    for (int y = 0; y < settings.height; ++y) {
+        for (int x = 0; x < settings.width; ++x) {
+            const auto pixel = std::size_t(y) * std::size_t(settings.width) + std::size_t(x);
+            const glm::dvec3 expected = truth.surfaces[pixel];
+            seen += std::isfinite(truth.depths[pixel]) ? 1 : 0;
+            others +=
+                glm::length(frame.color(x, y) - expected) > 0.005 * glm::length(expected) + 1e-4
+                    ? 1
+                    : 0;
+        }
+    }
+    EXPECT_GT(seen, 1000);
+    // Silhouettes, the fold's own included, may fall to either side of a pixel's middle.
+    EXPECT_LT(others, seen / 200);
 }
 
 TEST_F(DeformedStage, ShapesAreMadeWhenTheyChangeAlone) {

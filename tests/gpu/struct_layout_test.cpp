@@ -135,6 +135,16 @@ TEST_F(StructLayout, WhatSurfacesRead) {
               GLint(sizeof(glm::vec4)));
 }
 
+TEST_F(StructLayout, WhatLayeredSurfacesRead) {
+    const Program program({"passes/forward.vert", "passes/forward.frag"}, {"TEXTURES", "LAYERS"});
+    expectBuffer(
+        program, "LayersBlock", "layers",
+        {MEMBER(SurfaceLayers, specular), MEMBER(SurfaceLayers, coat), MEMBER(SurfaceLayers, sheen),
+         MEMBER(SurfaceLayers, anisotropy), MEMBER(SurfaceLayers, flags),
+         Member{"uvRows[0]", offsetof(gpu::SurfaceLayers, uvRows)}},
+        sizeof(gpu::SurfaceLayers), 6);
+}
+
 TEST_F(StructLayout, WhatTheSkyReads) {
     const Program program({"passes/sky_composite.comp"}, {"PHASE_KIND 0"});
     expectUniforms(program, "AtmosphereBlock",
