@@ -23,7 +23,7 @@ namespace {
 // As DRACO_BITSTREAM_VERSION(2, 2) has it.
 constexpr std::uint16_t kBitstreamVersion = 0x0202;
 
-const char* const kCure = "; export the mesh again";
+const char* const kExportAgain = "; export the mesh again";
 
 // How much a bitstream claims to hold (Draco bitstream specification 2.2, sections 2, 4, 8). The
 // decoder takes memory for it before it has seen it.
@@ -40,21 +40,21 @@ Claim claimOf(std::span<const std::byte> bytes, const Place& place) {
     std::uint16_t flags = 0;
     if (!buffer.Decode(magic, sizeof(magic)) || std::memcmp(magic, "DRACO", 5) != 0 ||
         !buffer.Decode(header, sizeof(header)) || !buffer.Decode(&flags)) {
-        badInput(place, std::string("is no Draco data") + kCure);
+        badInput(place, std::string("is no Draco data") + kExportAgain);
     }
     const auto& [major, minor, type, method] = header;
     if (major != 2 || minor != 2) {
         badInput(place, "is Draco data of version " + std::to_string(major) + "." +
-                            std::to_string(minor) + ", expected 2.2" + kCure);
+                            std::to_string(minor) + ", expected 2.2" + kExportAgain);
     }
     if (type != draco::TRIANGULAR_MESH) {
-        badInput(place, std::string("is Draco data without triangles") + kCure);
+        badInput(place, std::string("is Draco data without triangles") + kExportAgain);
     }
     buffer.set_bitstream_version(kBitstreamVersion);
     if ((flags & METADATA_FLAG_MASK) != 0) {
         draco::GeometryMetadata metadata;
         if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &metadata)) {
-            badInput(place, std::string("is Draco data with broken metadata") + kCure);
+            badInput(place, std::string("is Draco data with broken metadata") + kExportAgain);
         }
     }
     std::uint8_t traversal = 0;
@@ -67,7 +67,7 @@ Claim claimOf(std::span<const std::byte> bytes, const Place& place) {
                   draco::DecodeVarint(&faces, &buffer)
             : draco::DecodeVarint(&faces, &buffer) && draco::DecodeVarint(&vertices, &buffer);
     if (!read) {
-        badInput(place, std::string("is truncated Draco data") + kCure);
+        badInput(place, std::string("is truncated Draco data") + kExportAgain);
     }
     return {faces, vertices};
 }
@@ -79,14 +79,14 @@ std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::byte> bytes, const 
         auto decoded = draco::Decoder().DecodeMeshFromBuffer(&buffer);
         if (!decoded.ok()) {
             badInput(place, "is broken Draco data (" + std::string(decoded.status().error_msg()) +
-                                ")" + kCure);
+                                ")" + kExportAgain);
         }
         return std::move(decoded).value();
     } catch (const std::bad_alloc&) {
-        badInput(place,
-                 std::string("is Draco data that asks for more memory than there is") + kCure);
+        badInput(place, std::string("is Draco data that asks for more memory than there is") +
+                            kExportAgain);
     } catch (const std::length_error&) {
-        badInput(place, std::string("is Draco data with an impossible size") + kCure);
+        badInput(place, std::string("is Draco data with an impossible size") + kExportAgain);
     }
 }
 
@@ -127,7 +127,8 @@ DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& reques
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(request.id);
     if (attribute == nullptr) {
         badInput(request.place, "is " + std::to_string(request.id) +
-                                    ", an attribute that the Draco data does not have" + kCure);
+                                    ", an attribute that the Draco data does not have" +
+                                    kExportAgain);
     }
     const int components = attribute->num_components();
     const draco::DataType type = attribute->data_type();
@@ -135,7 +136,7 @@ DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& reques
         badInput(request.place, "names Draco data with " + std::to_string(components) +
                                     " components of type " + std::to_string(int(type)) +
                                     ", expected " + std::to_string(request.components) +
-                                    " numbers" + kCure);
+                                    " numbers" + kExportAgain);
     }
     const auto componentBytes = std::size_t(draco::DataTypeLength(type));
     budget.expectMemory(
@@ -147,7 +148,7 @@ DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& reques
     for (std::uint32_t point = 0; point < mesh.num_points(); ++point) {
         const draco::AttributeValueIndex value = attribute->mapped_index(draco::PointIndex(point));
         if (value.value() >= attribute->size()) {
-            badInput(request.place, std::string("names broken Draco data") + kCure);
+            badInput(request.place, std::string("names broken Draco data") + kExportAgain);
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(attribute->GetAddress(value));
         for (std::size_t c = 0; c < std::size_t(components); ++c) {
@@ -170,7 +171,7 @@ DracoMesh decodeDraco(std::span<const std::byte> bytes, std::span<const DracoReq
     if (faces > limit) {
         badInput(place, "is Draco data that claims " + std::to_string(faces) +
                             " triangles, where the file says " + std::to_string(expectedFaces) +
-                            kCure);
+                            kExportAgain);
     }
     // The connectivity and one attribute, as the decoder holds them and as they leave it.
     constexpr std::uint64_t kBytesPerFace = 100;
@@ -184,7 +185,8 @@ DracoMesh decodeDraco(std::span<const std::byte> bytes, std::span<const DracoReq
     for (std::uint32_t f = 0; f < mesh->num_faces(); ++f) {
         for (const draco::PointIndex& point : mesh->face(draco::FaceIndex(f))) {
             if (point.value() >= result.vertices) {
-                badInput(place, std::string("is Draco data with an index out of range") + kCure);
+                badInput(place,
+                         std::string("is Draco data with an index out of range") + kExportAgain);
             }
             result.indices.push_back(point.value());
         }

@@ -9,7 +9,7 @@
 namespace ribalta::gltf {
 namespace {
 
-constexpr const char* kCure = "; pack the mesh again or export it without compression";
+constexpr const char* kPackAgain = "; pack the mesh again or export it without compression";
 
 using Mode = MeshoptLayout::Mode;
 using Filter = MeshoptLayout::Filter;
@@ -20,14 +20,14 @@ void checkStride(const MeshoptLayout& layout, const Place& place) {
     const auto refuseUnless = [&](bool isAllowed, const char* allowed) {
         if (!isAllowed) {
             badInput(place.at("byteStride"),
-                     "is " + std::to_string(stride) + ", expected " + allowed + kCure);
+                     "is " + std::to_string(stride) + ", expected " + allowed + kPackAgain);
         }
     };
     if (layout.mode != Mode::kAttributes) {
         refuseUnless(stride == 2 || stride == 4, "2 or 4 for indices");
         if (layout.filter != Filter::kNone) {
             badInput(place.at("filter"),
-                     std::string("is for attributes and stands at indices") + kCure);
+                     std::string("is for attributes and stands at indices") + kPackAgain);
         }
         return;
     }
@@ -45,14 +45,15 @@ void checkCount(std::size_t bytes, const MeshoptLayout& layout, const Place& pla
     const Place here = place.at("count");
     if (layout.mode == Mode::kTriangles && layout.count % 3 != 0) {
         badInput(here, "is " + std::to_string(layout.count) +
-                           ", expected a multiple of 3 for triangles" + kCure);
+                           ", expected a multiple of 3 for triangles" + kPackAgain);
     }
     const std::size_t most = layout.mode == Mode::kAttributes  ? 64 * bytes / layout.stride
                              : layout.mode == Mode::kTriangles ? 3 * bytes
                                                                : bytes;
     if (layout.count > most) {
         badInput(here, "is " + std::to_string(layout.count) + ", but " + std::to_string(bytes) +
-                           " bytes hold at most " + std::to_string(most) + " elements" + kCure);
+                           " bytes hold at most " + std::to_string(most) + " elements" +
+                           kPackAgain);
     }
 }
 
@@ -93,7 +94,7 @@ std::vector<std::byte> decodeMeshopt(std::span<const std::byte> data, const Mesh
         badInput(place, std::string(fault == -1 ? "holds data of a kind or version that "
                                                   "EXT_meshopt_compression does not have"
                                                 : "holds broken or incomplete data") +
-                            kCure);
+                            kPackAgain);
     }
     applyFilter(bytes, layout);
     return bytes;

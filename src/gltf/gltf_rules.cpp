@@ -1,6 +1,5 @@
 // The rules of glTF 2.0 (section 5) and KHR_lights_punctual for what the import reads, as tables.
-#include <numbers>
-
+#include "base/pi.h"
 #include "gltf/json_rules.h"
 
 namespace ribalta::gltf {
@@ -9,7 +8,6 @@ namespace {
 using Is = JsonRule::Is;
 using On = JsonRule::OnFault;
 
-constexpr double kPi = std::numbers::pi;
 // Brighter than any lamp by far, and products with it still fit single precision.
 constexpr double kMaxIntensity = 1e12;
 // tinygltf holds the sizes of sparse accessors in this.

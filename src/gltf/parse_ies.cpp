@@ -12,7 +12,7 @@ namespace {
 
 // Brighter than any luminaire by far, and products with it still fit single precision.
 constexpr double kMaxCandela = 1e12;
-constexpr const char* kCure = "; get the luminaire's file again";
+constexpr const char* kGetAgain = "; get the luminaire's file again";
 
 // Goes through a text and knows the line it is at.
 class IesReader {
@@ -20,7 +20,7 @@ class IesReader {
     IesReader(std::string_view text, const Place& place) : rest_(text), place_(place) {}
 
     [[noreturn]] void refuse(const std::string& message) const {
-        badInput(place_, "line " + std::to_string(line_) + ": " + message + kCure);
+        badInput(place_, "line " + std::to_string(line_) + ": " + message + kGetAgain);
     }
 
     /// What is left of the present line; lines end in CR, LF or both.

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
+#include "base/pi.h"
 #include "scene/light.h"
 
 namespace ribalta::gltf {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // Below this, what dims the edge of a cone reaches its axis.
 constexpr double kNarrowest = 5.0 * kPi / 180.0;
 constexpr double kNegligible = 0.001;

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text_of.h"
 #include "gltf/bad_input.h"
 
 namespace ribalta::gltf {
@@ -21,10 +22,6 @@ std::uint32_t littleEndian32(const std::byte* bytes) {
         value = (value << 8U) | std::to_integer<std::uint32_t>(bytes[i]);
     }
     return value;
-}
-
-std::string_view textOf(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 void splitGlb(Container& container, const Place& file) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/read_file.h"
+#include "base/text_of.h"
 #include "gltf/bad_input.h"
 #include "gltf/parse_ies.h"
 #include "gltf/read_buffers.h"
@@ -20,16 +21,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kExtension = "EXT_lights_ies";
+constexpr const char* kPhotometric = "EXT_lights_ies";
 constexpr const char* kPunctual = "KHR_lights_punctual";
 // The largest that are published have some hundred thousand values.
 constexpr std::uint64_t kMaxFileBytes = 64'000'000;
 constexpr double kMaxMultiplier = 1e9;
 constexpr double kFadeFrom = kMaxConeAngle - 5.0 * std::numbers::pi / 180.0;
-
-std::string_view textOf(std::span<const std::byte> bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 std::string percent(double share) {
     const std::string text = std::to_string(100.0 * share);
@@ -104,8 +101,8 @@ const std::optional<IesLamps::Profile>& IesLamps::profile(std::size_t index, Ima
     if (!isNew) {
         return entry->second;
     }
-    const Place place = import_.file.at("extensions").at(kExtension).at("lights").at(index);
-    const json& source = member(extension(import_.json, kExtension), "lights")[index];
+    const Place place = import_.file.at("extensions").at(kPhotometric).at("lights").at(index);
+    const json& source = member(extension(import_.json, kPhotometric), "lights")[index];
     try {
         const IesProfile profile = readProfile(import_, source, place, images);
         for (const std::string& remark : profile.remarks) {
@@ -137,14 +134,14 @@ const std::optional<IesLamps::Profile>& IesLamps::profile(std::size_t index, Ima
 bool IesLamps::add(std::size_t gltfNode, int sceneNode, ImageTable& images, Scene& scene,
                    Report& report) {
     const json& node = element(import_.json, "nodes", gltfNode);
-    const json& use = extension(node, kExtension);
+    const json& use = extension(node, kPhotometric);
     if (use.is_null()) {
         return false;
     }
     const Place nodePlace = import_.file.at("nodes").at(gltfNode);
-    const Place place = nodePlace.at("extensions").at(kExtension);
+    const Place place = nodePlace.at("extensions").at(kPhotometric);
     const json& index = member(use, "light");
-    const json& lights = member(extension(import_.json, kExtension), "lights");
+    const json& lights = member(extension(import_.json, kPhotometric), "lights");
     const std::size_t count = lights.is_array() ? lights.size() : 0;
     if (!index.is_number_integer() || index < 0 || index >= count) {
         report.ignored(place.at("light"), "is " + index.dump() + ", but the file has " +

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kExtension = "KHR_lights_punctual";
+constexpr const char* kPunctual = "KHR_lights_punctual";
 
 // A lamp of the file: the light it is, the node it hangs on.
 struct Lamp {
@@ -138,14 +138,14 @@ void refuseLightMap(const Lamp& lamp, const std::string& kind, Report& report) {
 void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTable& images,
              TextureTable& textures, Scene& scene, Report& report) {
     const json& node = element(import.json, "nodes", gltfNode);
-    const json& use = extension(node, kExtension);
+    const json& use = extension(node, kPunctual);
     if (use.is_null()) {
         return;
     }
     const Place nodePlace = import.file.at("nodes").at(gltfNode);
-    const Place usePlace = nodePlace.at("extensions").at(kExtension).at("light");
+    const Place usePlace = nodePlace.at("extensions").at(kPunctual).at("light");
     const json& index = member(use, "light");
-    const json& lights = member(extension(import.json, kExtension), "lights");
+    const json& lights = member(extension(import.json, kPunctual), "lights");
     if (!index.is_number_integer() || index < 0 || index >= lights.size()) {
         report.ignored(usePlace, "is " + index.dump() + ", but the file has " +
                                      counted(lights.size(), "lights") + "; this lamp is left out");
@@ -158,7 +158,7 @@ void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTab
         return;
     }
     const Lamp lamp{lights[number],
-                    import.file.at("extensions").at(kExtension).at("lights").at(number), node,
+                    import.file.at("extensions").at(kPunctual).at("lights").at(number), node,
                     nodePlace};
     const double intensity = numberOr(lamp.light, "intensity", 1.0);
     const auto defaultName = [](const char* kind, std::size_t count) {

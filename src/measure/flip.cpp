@@ -6,12 +6,11 @@
 
 #include "base/check.h"
 #include "base/parallel_for.h"
+#include "base/pi.h"
 #include "optics/shader_lib.h"
 
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // The paper's constants (section 5): exponents of colour and feature differences, where the range
 // of colour differences is bent, and the width of the feature detector in degrees.

@@ -3,14 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "base/check.h"
+#include "base/pi.h"
 
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Scattering angle at s: 0 far before the lamp (straight on), pi far behind it.
 double scatteringAngle(double h, double s) {

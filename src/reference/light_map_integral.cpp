@@ -13,16 +13,17 @@
 namespace ribalta {
 namespace {
 
-struct GaussRule {
+struct ShortGaussRule {
     int count;
     std::array<double, 5> nodes;  // of -1..1
     std::array<double, 5> weights;
 };
 
-constexpr GaussRule kTwo = {2, {-0.577350269189625764509, 0.577350269189625764509}, {1.0, 1.0}};
-constexpr GaussRule kThree = {
+constexpr ShortGaussRule kTwo = {
+    2, {-0.577350269189625764509, 0.577350269189625764509}, {1.0, 1.0}};
+constexpr ShortGaussRule kThree = {
     3, {-0.774596669241483377036, 0.0, 0.774596669241483377036}, {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}};
-constexpr GaussRule kFive = {
+constexpr ShortGaussRule kFive = {
     5,
     {-0.906179845938663992798, -0.538469310105683091036, 0.0, 0.538469310105683091036,
      0.906179845938663992798},
@@ -30,7 +31,7 @@ constexpr GaussRule kFive = {
      0.478628670499366468041, 0.236926885056189087514}};
 
 /// The cheapest rule that is good enough for cells up to `width` wide in the panel's y.
-const GaussRule& ruleFor(const SmoothPanel& panel, double width, double relative) {
+const ShortGaussRule& ruleFor(const SmoothPanel& panel, double width, double relative) {
     const double allowed = relative * panel.largest;
     const double square = width * width;
     if (24.0 / 4320.0 * panel.secondDerivative() * square <= allowed) {
@@ -54,7 +55,7 @@ glm::dvec3 integrateOverLightMap(const SmoothPanel& panel, const LightMapTexture
     const double perX = 2.0 / panel.place.length();
     const double fastest = std::max(std::abs(along.x), std::abs(along.y));
     const double width = std::min(fastest > 0.0 ? perX / fastest : 2.0, 2.0);
-    const GaussRule& rule = ruleFor(panel, width, relative);
+    const ShortGaussRule& rule = ruleFor(panel, width, relative);
 
     glm::dvec3 sum(0.0);
     walkCells(from, to, panel.place.first, panel.place.last,

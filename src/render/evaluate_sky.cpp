@@ -4,6 +4,7 @@
 
 #include "gl/buffer.h"
 #include "gl/counters.h"
+#include "gl/work_groups.h"
 #include "render/sky_textures.h"
 
 namespace ribalta {
@@ -22,7 +23,7 @@ std::vector<gpu::SkyRayLight> runSkyRays(const Program& program,
     glUseProgram(program.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSkyRaysSlot, rays.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSkyLightsSlot, lights.name());
-    glDispatchCompute(GLuint((starts.size() + gpu::kSkyRayGroup - 1) / gpu::kSkyRayGroup), 1, 1);
+    glDispatchCompute(workGroups(int(starts.size()), gpu::kSkyRayGroup), 1, 1);
     ++glCounters().drawCalls;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     lights.read(std::as_writable_bytes(std::span(result)));

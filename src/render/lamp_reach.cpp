@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include <glm/gtx/exterior_product.hpp>
+
 namespace ribalta {
 namespace {
 
@@ -13,10 +15,6 @@ constexpr int kSides = 16;
 
 // How far an unlimited beam is followed where a point at infinity has no place in the picture.
 constexpr double kFarMetres = 1e5;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 // Andrew's monotone chain.
 std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/gtx/exterior_product.hpp>
+
 #include "render/lamp_reach.h"
 
 namespace ribalta {
@@ -16,10 +18,6 @@ constexpr std::size_t kMaxTriangles = 64;
 constexpr double kOverlapPixels = 0.5;
 
 using Polygon = std::vector<glm::dvec2>;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
 
 double area(const Polygon& polygon) {
     double twice = 0.0;

@@ -2,16 +2,15 @@
 #include "sky/phase_projection.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "base/check.h"
 #include "base/parallel_for.h"
+#include "base/pi.h"
 #include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kTurns = 96;  // azimuths over half a turn that a phase function is looked at
 
 }  // namespace

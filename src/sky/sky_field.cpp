@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/pi.h"
 #include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Angles from the horizon, 0..span, that are dense near it.
 void addAngles(double horizon, double span, int count, SkyDirections& directions) {

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/check.h"
 #include "base/cubic_weights.h"
 #include "base/parallel_for.h"
+#include "base/pi.h"
 #include "sky/phase_projection.h"
 #include "sky/sky_air.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // What one order may be of the order before: no air and ground give back more than they take.
 constexpr double kLargestRatio = 0.95;
 

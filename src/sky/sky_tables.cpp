@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "base/check.h"
 #include "base/parallel_for.h"
+#include "base/pi.h"
 #include "sky/obtain_sky_sources.h"
 #include "sky/sky_air.h"
 #include "sky/sky_sources.h"
@@ -15,7 +15,6 @@
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr DirectionCounts kAround{16, 10, 17};  // of the light that falls on surfaces
 
 glm::vec4 logOf(const double* colours) {

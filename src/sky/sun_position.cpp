@@ -1,14 +1,13 @@
 #include "sky/sun_position.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/pi.h"
 #include "scene/bearing.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180.0;
 constexpr double kJ2000 = 2451545.0;
 constexpr double kCentury = 36525.0;  // days

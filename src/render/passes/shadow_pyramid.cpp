@@ -3,13 +3,14 @@
 #include <shared/slots.h>
 
 #include "gl/counters.h"
+#include "gl/work_groups.h"
 
 namespace ribalta {
 namespace {
 
 constexpr GLint kSourceLevel = 0;
-constexpr int kFinestBlock = 4;  // texels of the map
-constexpr int kGroup = 8;        // invocations of a work group, each way
+constexpr int kFinestBlock = 4;   // texels of the map
+constexpr int kPyramidGroup = 8;  // texels, each way
 
 }  // namespace
 
@@ -42,7 +43,7 @@ void ShadowPyramidPass::draw(const std::vector<int>& layers, const Texture2D& sh
         glUseProgram(program.name());
         glBindImageTexture(gpu::kPyramidUnit, pyramid_.name(), level, GL_TRUE, 0, GL_WRITE_ONLY,
                            GL_RG32F);
-        const auto groups = GLuint(((side >> level) + kGroup - 1) / kGroup);
+        const GLuint groups = workGroups(side >> level, kPyramidGroup);
         glDispatchCompute(groups, groups, GLuint(layers.size()));
         ++glCounters().drawCalls;
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

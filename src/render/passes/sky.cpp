@@ -8,16 +8,13 @@
 #include <shared/slots.h>
 
 #include "gl/counters.h"
+#include "gl/work_groups.h"
 
 namespace ribalta {
 namespace {
 
 constexpr double kSmallestHaze = 5.0;  // metres
 constexpr double kAtTheTop = 10.0;     // metres
-
-GLuint groups(int count) {
-    return GLuint((count + gpu::kSkyGroup - 1) / gpu::kSkyGroup);
-}
 
 Texture2D table(const std::string& label, const Texture2D::Size& size, GLenum format = GL_RGBA32F) {
     Texture2D texture(label, format, size);
@@ -99,7 +96,8 @@ void SkyPass::makeTable(Program& program, const std::string& shader, const Textu
     }
     glUseProgram(program.name());
     glBindImageTexture(gpu::kSkyTableUnit, table.name(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    glDispatchCompute(groups(size.x), groups(size.y), GLuint(size.z));
+    glDispatchCompute(workGroups(size.x, gpu::kSkyGroup), workGroups(size.y, gpu::kSkyGroup),
+                      GLuint(size.z));
     ++glCounters().drawCalls;
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -126,9 +124,9 @@ void SkyPass::beginEdgeTiles(const FramePlan& plan) {
     gpu::SkyEdgeHead head{};
     head.groupsY = 1;
     head.groupsZ = 1;
-    std::vector<GLuint> words(sizeof head / sizeof(GLuint) + std::size_t(2) *
-                                                                 groups(plan.settings.width) *
-                                                                 groups(plan.settings.height));
+    std::vector<GLuint> words(sizeof head / sizeof(GLuint) +
+                              std::size_t(2) * workGroups(plan.settings.width, gpu::kSkyGroup) *
+                                  workGroups(plan.settings.height, gpu::kSkyGroup));
     std::memcpy(words.data(), &head, sizeof head);
     edgeTiles_.write("tiles at edges of the sky", bytesOf(words));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, gpu::kSkyEdgesSlot, edges_.name());
@@ -185,7 +183,8 @@ void SkyPass::draw(const SkyWork& work, const FramePlan& plan, const FrameTarget
                        GL_RGBA32F);
     // What surfaces wrote is read as an image.
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    glDispatchCompute(groups(plan.settings.width), groups(plan.settings.height), 1);
+    glDispatchCompute(workGroups(plan.settings.width, gpu::kSkyGroup),
+                      workGroups(plan.settings.height, gpu::kSkyGroup), 1);
     ++glCounters().drawCalls;
     if (work.edges) {
         drawEdgeTiles();

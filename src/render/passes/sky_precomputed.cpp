@@ -16,6 +16,7 @@
 #include "gl/debug_output.h"
 #include "gl/program.h"
 #include "gl/timer.h"
+#include "gl/work_groups.h"
 #include "render/describe_atmosphere.h"
 
 namespace ribalta {
@@ -28,11 +29,7 @@ constexpr int kStepsOfRay = 51;
 constexpr int kStepsOfExactTexel = 128;
 constexpr int kDirections = 512;
 
-constexpr int kGroup = 8;
-
-GLuint groups(int size) {
-    return GLuint((size + kGroup - 1) / kGroup);
-}
+constexpr int kTexelsOfGroup = 8;  // each way
 
 Texture2D makePlane(const std::string& label, const SkyPlaneSize& size) {
     Texture2D plane(label, GL_RGBA32F, {size.across, size.heights});
@@ -123,8 +120,10 @@ class PrecomputedSky::Maker {
 
     /// Rows of a layer that one dispatch takes.
     int rows(int samples) const {
-        const int wanted = kSamplesPerDispatch / (samples * width()) / kGroup * kGroup;
-        return std::clamp(wanted, kGroup, settings_.scattering.viewAngles + kGroup - 1);
+        const int wanted =
+            kSamplesPerDispatch / (samples * width()) / kTexelsOfGroup * kTexelsOfGroup;
+        return std::clamp(wanted, kTexelsOfGroup,
+                          settings_.scattering.viewAngles + kTexelsOfGroup - 1);
     }
     std::size_t dispatches(int samples) const {
         const int high = settings_.scattering.viewAngles;
@@ -163,7 +162,8 @@ class PrecomputedSky::Maker {
 
     void overPlane(const Program& pass, const SkyPlaneSize& size) {
         glUseProgram(pass.name());
-        glDispatchCompute(groups(size.across), groups(size.heights), 1);
+        glDispatchCompute(workGroups(size.across, kTexelsOfGroup),
+                          workGroups(size.heights, kTexelsOfGroup), 1);
         finishDispatch();
     }
 
@@ -176,7 +176,8 @@ class PrecomputedSky::Maker {
                 pass.setInt(gpu::kSkyLayerLocation, layer);
                 pass.setInt(gpu::kSkyFirstRowLocation, row);
                 pass.setInt(gpu::kSkyEndRowLocation, end);
-                glDispatchCompute(groups(width()), groups(end - row), 1);
+                glDispatchCompute(workGroups(width(), kTexelsOfGroup),
+                                  workGroups(end - row, kTexelsOfGroup), 1);
                 finishDispatch();
                 // Without this a driver could queue minutes of work.
                 glFinish();

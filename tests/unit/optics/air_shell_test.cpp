@@ -23,7 +23,7 @@ Air earth() {
 }
 
 /// A ray within the air, as singles, so that both precisions see the same.
-struct Ray {
+struct AirRay {
     float height;
     float mu;
     float muS;
@@ -32,8 +32,8 @@ struct Ray {
 
 class RandomRays {
   public:
-    Ray next() {
-        Ray ray{};
+    AirRay next() {
+        AirRay ray{};
         // From a millimetre to the top; half of the rays near the horizon.
         ray.height = float(1e-3 * std::pow(6e7, unit_(random_)));
         const double level = -std::sqrt(double(ray.height) / 3.18e6);
@@ -57,7 +57,7 @@ class RandomRays {
 constexpr Exact kRadius = 6.36e6L;
 constexpr Exact kTop = 60e3L;
 
-Exact radiusAt(const Ray& ray, Exact t) {
+Exact radiusAt(const AirRay& ray, Exact t) {
     const Exact r = kRadius + ray.height;
     return std::sqrt(r * r + t * (2 * r * Exact(ray.mu) + t));
 }
@@ -66,7 +66,7 @@ TEST(AirShell, HeightsAndDistancesAreThoseOfPlainGeometry) {
     const auto air = earth<shader::Air>();
     RandomRays rays;
     for (int i = 0; i < 20000; ++i) {
-        const Ray ray = rays.next();
+        const AirRay ray = rays.next();
         const bool ground = shader::hitsGround(air, ray.height, ray.mu);
         const double t = shader::distanceInAir(air, ray.height, ray.mu, ground);
         ASSERT_GT(t, 0.0);
@@ -93,7 +93,7 @@ TEST(AirShell, SinglePrecisionKeepsCentimetres) {
     int other = 0;
     constexpr int kRays = 200000;
     for (int i = 0; i < kRays; ++i) {
-        const Ray ray = rays.next();
+        const AirRay ray = rays.next();
         const bool ground = shader::hitsGround(air, ray.height, ray.mu);
         if (ground != shader_float::hitsGround(single, ray.height, ray.mu)) {
             ++other;
@@ -133,7 +133,7 @@ TEST(AirShell, TheShadowIsWhereTheGroundHidesTheSun) {
     RandomRays rays;
     int shaded = 0;
     for (int i = 0; i < 20000; ++i) {
-        const Ray ray = rays.next();
+        const AirRay ray = rays.next();
         const bool ground = shader::hitsGround(air, ray.height, ray.mu);
         const double length = shader::distanceInAir(air, ray.height, ray.mu, ground);
         double entry = 0.0;
@@ -176,7 +176,7 @@ TEST(AirShell, RaysFromSpaceEnterAtTheTop) {
     RandomRays rays;
     int entered = 0;
     for (int i = 0; i < 20000; ++i) {
-        Ray ray = rays.next();
+        AirRay ray = rays.next();
         ray.height = float(60e3 * std::pow(200.0, 0.01 + 0.99 * rays.unit()));
         double t = 0.0;
         double mu = 0.0;

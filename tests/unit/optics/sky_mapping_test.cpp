@@ -79,7 +79,7 @@ TEST(SkyMapping, TransmittanceThereAndBack) {
     }
 }
 
-struct Ray {
+struct SkyRay {
     double h = 0.0;
     double mu = 0.0;
     double muS = 0.0;
@@ -87,7 +87,7 @@ struct Ray {
 };
 
 /// `back` of the ray of a place is the place; nu aside, where three directions allow no such nu.
-void expectBack(const glm::dvec4& place, const Ray& ray, const glm::dvec4& back) {
+void expectBack(const glm::dvec4& place, const SkyRay& ray, const glm::dvec4& back) {
     EXPECT_NEAR(back.x, place.x, 1e-9) << ray.muS;
     EXPECT_NEAR(back.y, place.y, 1e-6) << ray.h << " " << ray.mu;
     EXPECT_NEAR(back.z, place.z, 1e-9) << ray.h;
@@ -105,7 +105,7 @@ TEST(SkyMapping, ScatteringThereAndBack) {
         for (int i = 0; i < 10000; ++i) {
             const glm::dvec4 place(places.next(), places.next(), places.next(), places.next());
             const bool ground = i % 2 == 0;
-            Ray ray;
+            SkyRay ray;
             shader::scatteringRay(air, kLowestSun, place, ground, ray.h, ray.mu, ray.muS, ray.nu);
             glm::dvec4 back =
                 shader::scatteringPlace(air, kLowestSun, ray.h, ray.mu, ray.muS, ray.nu, ground);
