@@ -23,11 +23,20 @@ if(RIBALTA_SANITIZE)
     target_compile_options(ribalta_tests_own_code INTERFACE -fno-sanitize=undefined -Werror)
 endif()
 
+# Large headers are what takes longest to compile.
+if(RIBALTA_BATCH)
+    set(CMAKE_UNITY_BUILD ON)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
+    # Of names and values that meet there alone; the other compiler looks at each file by itself.
+    target_compile_options(ribalta_options INTERFACE -Wno-shadow -Wno-subobject-linkage
+                                                     -Wno-maybe-uninitialized)
+endif()
+
 # ribalta_precompile(TARGET KIND HEADERS ...): parses HEADERS once for all targets of one KIND, which
 # are compiled alike. Only where all is built from nothing: elsewhere a file that lacks an include is to
 # be found, and ccache to be of use.
 function(ribalta_precompile TARGET KIND)
-    if(NOT RIBALTA_PRECOMPILE)
+    if(NOT RIBALTA_BATCH)
         return()
     endif()
     get_property(first GLOBAL PROPERTY ribalta_precompiled_${KIND})

@@ -16,12 +16,12 @@ using nlohmann::json;
 
 // Lights are values on top of the scene: a faulty one costs that lamp, not the file.
 void checkLights(json& root, const Where& rootWhere, Report& report) {
-    if (extension(root, "KHR_lights_punctual").is_null()) {
+    if (extension(root, kLightsPunctual).is_null()) {
         return;
     }
     const Where extensions(rootWhere, "extensions");
-    const Where where(extensions, "KHR_lights_punctual");
-    json& holder = root["extensions"]["KHR_lights_punctual"];
+    const Where where(extensions, kLightsPunctual);
+    json& holder = root["extensions"][kLightsPunctual];
     if (!member(holder, "lights").is_array() || holder["lights"].empty()) {
         report.repaired(where.place(), "has no list of lights; read as one without lights");
         holder = {{"lights", json::array()}};

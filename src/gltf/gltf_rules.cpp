@@ -1,5 +1,5 @@
 // The rules of glTF 2.0 (section 5) and KHR_lights_punctual for what the import reads, as tables.
-#include "base/pi.h"
+#include "base/angles.h"
 #include "gltf/json_rules.h"
 
 namespace ribalta::gltf {

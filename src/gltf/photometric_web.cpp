@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/angles.h"
 
 namespace ribalta::gltf {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct Angles {
     double vertical = 0.0;
@@ -15,22 +14,24 @@ struct Angles {
 };
 
 double arcSine(double value) {
-    return std::asin(std::clamp(value, -1.0, 1.0)) * kDegrees;
+    return std::asin(std::clamp(value, -1.0, 1.0)) * kDegreesPerRadian;
 }
 
 Angles anglesOf(PhotometricWeb::Type type, const glm::dvec3& direction) {
     switch (type) {
         case PhotometricWeb::Type::kB:
-            return {std::atan2(direction.x, -direction.z) * kDegrees, arcSine(-direction.y)};
+            return {std::atan2(direction.x, -direction.z) * kDegreesPerRadian,
+                    arcSine(-direction.y)};
         case PhotometricWeb::Type::kA:
-            return {arcSine(direction.x), std::atan2(-direction.y, -direction.z) * kDegrees};
+            return {arcSine(direction.x),
+                    std::atan2(-direction.y, -direction.z) * kDegreesPerRadian};
         case PhotometricWeb::Type::kC:
             break;
     }
     // By both sides of the triangle: the cosine alone says little near the axis.
     const double off = std::hypot(direction.x, direction.y);
-    return {std::atan2(off, -direction.z) * kDegrees,
-            std::atan2(direction.y, direction.x) * kDegrees};
+    return {std::atan2(off, -direction.z) * kDegreesPerRadian,
+            std::atan2(direction.y, direction.x) * kDegreesPerRadian};
 }
 
 // Two neighbours in a list, and how far from the first to the second.

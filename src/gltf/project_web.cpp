@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/pi.h"
+#include "base/angles.h"
 #include "scene/light.h"
 
 namespace ribalta::gltf {

@@ -16,11 +16,6 @@ using nlohmann::json;
 
 constexpr double kMaxFov = 3.1;  // radians, short of a half space
 
-double numberOr(const json& object, const char* key, double otherwise) {
-    const json& value = member(object, key);
-    return value.is_number() ? value.get<double>() : otherwise;
-}
-
 // The value where it makes a picture, or else a stand-in that the report names.
 class Mender {
   public:

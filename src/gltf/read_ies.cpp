@@ -22,7 +22,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kPhotometric = "EXT_lights_ies";
-constexpr const char* kPunctual = "KHR_lights_punctual";
 // The largest that are published have some hundred thousand values.
 constexpr std::uint64_t kMaxFileBytes = 64'000'000;
 constexpr double kMaxMultiplier = 1e9;
@@ -153,8 +152,8 @@ bool IesLamps::add(std::size_t gltfNode, int sceneNode, ImageTable& images, Scen
     if (!its) {
         return false;
     }
-    if (!extension(node, kPunctual).is_null()) {
-        report.hint(nodePlace.at("extensions").at(kPunctual),
+    if (!extension(node, kLightsPunctual).is_null()) {
+        report.hint(nodePlace.at("extensions").at(kLightsPunctual),
                     "stands on a node with a light profile, which is drawn in its place");
     }
     SpotLight spot;

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kPunctual = "KHR_lights_punctual";
-
 // A lamp of the file: the light it is, the node it hangs on.
 struct Lamp {
     const json& light;
@@ -45,11 +43,6 @@ std::string nameOf(const Lamp& lamp, const std::string& otherwise) {
         }
     }
     return otherwise;
-}
-
-double numberOr(const json& object, const char* key, double otherwise) {
-    const json& value = member(object, key);
-    return value.is_number() ? value.get<double>() : otherwise;
 }
 
 glm::vec3 colorOf(const Lamp& lamp) {
@@ -138,14 +131,14 @@ void refuseLightMap(const Lamp& lamp, const std::string& kind, Report& report) {
 void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTable& images,
              TextureTable& textures, Scene& scene, Report& report) {
     const json& node = element(import.json, "nodes", gltfNode);
-    const json& use = extension(node, kPunctual);
+    const json& use = extension(node, kLightsPunctual);
     if (use.is_null()) {
         return;
     }
     const Place nodePlace = import.file.at("nodes").at(gltfNode);
-    const Place usePlace = nodePlace.at("extensions").at(kPunctual).at("light");
+    const Place usePlace = nodePlace.at("extensions").at(kLightsPunctual).at("light");
     const json& index = member(use, "light");
-    const json& lights = member(extension(import.json, kPunctual), "lights");
+    const json& lights = member(extension(import.json, kLightsPunctual), "lights");
     if (!index.is_number_integer() || index < 0 || index >= lights.size()) {
         report.ignored(usePlace, "is " + index.dump() + ", but the file has " +
                                      counted(lights.size(), "lights") + "; this lamp is left out");
@@ -158,7 +151,7 @@ void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTab
         return;
     }
     const Lamp lamp{lights[number],
-                    import.file.at("extensions").at(kPunctual).at("lights").at(number), node,
+                    import.file.at("extensions").at(kLightsPunctual).at("lights").at(number), node,
                     nodePlace};
     const double intensity = numberOr(lamp.light, "intensity", 1.0);
     const auto defaultName = [](const char* kind, std::size_t count) {

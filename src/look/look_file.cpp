@@ -1,12 +1,12 @@
 #include "look/look_file.h"
 
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include <glm/gtc/quaternion.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/angles.h"
 #include "base/parse_json.h"
 #include "base/read_file.h"
 #include "base/temporary_file.h"
@@ -17,7 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kFarMetres = 1e12;
 constexpr double kMostLight = 1e12;  ///< candela and lux
 constexpr int kLongestSide = 16384;
@@ -88,7 +87,7 @@ Camera readCameraOf(JsonObject& object) {
         refuse(object.place(), "needs either vertical_fov_degrees or half_size (orthographic)");
     }
     if (fov) {
-        camera.lens = PerspectiveLens{*fov / kDegrees, aspectRatio};
+        camera.lens = PerspectiveLens{*fov / kDegreesPerRadian, aspectRatio};
     } else {
         camera.lens = OrthographicLens{(*halfSize)[0], (*halfSize)[1]};
     }
@@ -109,7 +108,7 @@ Json writeCameraOf(const Camera& camera) {
     json["name"] = camera.name;
     writeFrameOf(camera.frame, json);
     if (const auto* lens = std::get_if<PerspectiveLens>(&camera.lens)) {
-        json["vertical_fov_degrees"] = lens->verticalFov * kDegrees;
+        json["vertical_fov_degrees"] = lens->verticalFov * kDegreesPerRadian;
         if (lens->aspectRatio) {
             json["aspect_ratio"] = *lens->aspectRatio;
         }
@@ -141,7 +140,7 @@ LightMapChange readLightMapOf(JsonObject& lamp, const std::filesystem::path& fol
         change.file = (folder / *file).lexically_normal();
     }
     if (const auto degrees = object->number("rotation_degrees", -36000.0, 36000.0)) {
-        change.rotationRadians = *degrees / kDegrees;
+        change.rotationRadians = *degrees / kDegreesPerRadian;
     }
     object->refuseOthers();
     return change;
@@ -159,7 +158,7 @@ void writeLightMapOf(const LightMapChange& change, const std::filesystem::path& 
         lamp["light_map"]["file"] = (file.empty() ? *change.file : file).generic_string();
     }
     if (change.rotationRadians) {
-        lamp["light_map"]["rotation_degrees"] = *change.rotationRadians * kDegrees;
+        lamp["light_map"]["rotation_degrees"] = *change.rotationRadians * kDegreesPerRadian;
     }
 }
 
@@ -184,10 +183,10 @@ LampChange readLampOf(JsonObject& object, const std::filesystem::path& folder) {
         refuse(object.place("inner_cone_degrees"), "is wider than the outer cone");
     }
     if (inner) {
-        lamp.innerConeAngle = *inner / kDegrees;
+        lamp.innerConeAngle = *inner / kDegreesPerRadian;
     }
     if (outer) {
-        lamp.outerConeAngle = *outer / kDegrees;
+        lamp.outerConeAngle = *outer / kDegreesPerRadian;
     }
     lamp.frame = readFrameOf(object);
     lamp.lightMap = readLightMapOf(object, folder);
@@ -225,10 +224,10 @@ Json writeLampOf(const LampChange& lamp, const std::filesystem::path& folder) {
         json["color"] = {lamp.color->x, lamp.color->y, lamp.color->z};
     }
     if (lamp.innerConeAngle) {
-        json["inner_cone_degrees"] = *lamp.innerConeAngle * kDegrees;
+        json["inner_cone_degrees"] = *lamp.innerConeAngle * kDegreesPerRadian;
     }
     if (lamp.outerConeAngle) {
-        json["outer_cone_degrees"] = *lamp.outerConeAngle * kDegrees;
+        json["outer_cone_degrees"] = *lamp.outerConeAngle * kDegreesPerRadian;
     }
     if (lamp.frame) {
         writeFrameOf(*lamp.frame, json);
@@ -303,7 +302,7 @@ SkyLook readSkyOf(JsonObject& object) {
                "is missing; the sun's place has both");
     }
     if (elevation) {
-        sky.sun = SunInSky{*elevation / kDegrees, *azimuth / kDegrees};
+        sky.sun = SunInSky{*elevation / kDegreesPerRadian, *azimuth / kDegreesPerRadian};
     }
     sky.altitudeMetres = object.number("altitude", 0.0, 1e9).value_or(0.0);
     object.refuseOthers();
@@ -314,8 +313,8 @@ Json writeSkyOf(const SkyLook& sky) {
     Json json;
     json["model"] = name(sky.model);
     if (sky.sun) {
-        json["sun_elevation_degrees"] = sky.sun->elevation * kDegrees;
-        json["sun_azimuth_degrees"] = sky.sun->azimuth * kDegrees;
+        json["sun_elevation_degrees"] = sky.sun->elevation * kDegreesPerRadian;
+        json["sun_azimuth_degrees"] = sky.sun->azimuth * kDegreesPerRadian;
     }
     json["altitude"] = sky.altitudeMetres;
     return json;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/check.h"
 #include "base/parallel_for.h"
-#include "base/pi.h"
 #include "optics/shader_lib.h"
 
 namespace ribalta {

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "base/angles.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr SkyOrders kAll{4, true};
 constexpr SkyOrders kOnce{1, false};
 

@@ -9,6 +9,7 @@
 
 #include "measure/csv_field.h"
 #include "measure/display_picture.h"
+#include "measure/json_numbers.h"
 #include "measure/picture_error.h"
 
 namespace ribalta {
@@ -17,11 +18,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kDarkest = 1e-6;  // of the sun's illuminance
-
-// JSON has no infinity; the only one is the PSNR of equal pictures.
-Json finiteOrNull(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
 
 Json toJson(const SkyPictureError& error) {
     return {{"relative_median", error.median},
@@ -46,7 +42,7 @@ const SkyRow* rowNamed(const std::string& name) {
     return nullptr;
 }
 
-constexpr std::pair<const char*, const char*> kColumns[] = {
+constexpr std::pair<const char*, const char*> kSkyColumns[] = {
     {"name", "/name"},
     {"view", "/view"},
     {"model", "/model"},
@@ -66,7 +62,7 @@ constexpr std::pair<const char*, const char*> kColumns[] = {
     {"thesis_kb", "/thesis/memory_kb"},
     {"thesis_ms", "/thesis/ms"},
 };
-constexpr const char* kErrorColumns[] = {
+constexpr const char* kSkyErrorColumns[] = {
     "relative_median", "relative_p95", "relative_largest",      "display_rmse_percent",
     "psnr_db",         "flip_mean",    "reference_relative_rms"};
 
@@ -155,12 +151,12 @@ Json toJson(const SkyRecord& record) {
 
 std::string toCsv(const std::vector<SkyRecord>& records) {
     std::string csv;
-    for (const auto& [column, where] : kColumns) {
+    for (const auto& [column, where] : kSkyColumns) {
         csv += csv.empty() ? "" : ",";
         csv += column;
     }
     for (const char* against : {"own", "whole"}) {
-        for (const char* column : kErrorColumns) {
+        for (const char* column : kSkyErrorColumns) {
             csv += ',';
             csv += column;
             csv += '@';
@@ -171,12 +167,12 @@ std::string toCsv(const std::vector<SkyRecord>& records) {
     for (const SkyRecord& record : records) {
         const Json json = toJson(record);
         std::string text;
-        for (const auto& [column, where] : kColumns) {
+        for (const auto& [column, where] : kSkyColumns) {
             text += text.empty() ? "" : ",";
             text += csvField(json.at(Json::json_pointer(where)));
         }
         for (const char* against : {"own", "whole"}) {
-            for (const char* column : kErrorColumns) {
+            for (const char* column : kSkyErrorColumns) {
                 text += ',';
                 text += csvField(json.at(against).at(column));
             }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/csv_field.h"
+#include "measure/json_numbers.h"
 
 namespace ribalta {
 namespace {
@@ -20,19 +21,10 @@ std::string sizeText(const FrameSettings& settings) {
     return std::to_string(settings.width) + "x" + std::to_string(settings.height);
 }
 
-std::string shortNumber(double value) {
+std::string fourDigits(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
-}
-
-// JSON has no infinity; the only one is the PSNR of equal pictures.
-Json finiteOrNull(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
-
-double infiniteIfNull(const Json& json) {
-    return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
 }
 
 template <typename Value>
@@ -126,7 +118,7 @@ SweepRecord::Status statusNamed(const std::string& wanted) {
 }
 
 // Columns that every record has, by where its JSON has them.
-constexpr std::pair<const char*, const char*> kColumns[] = {
+constexpr std::pair<const char*, const char*> kSweepColumns[] = {
     {"name", "/name"},
     {"scene", "/scene"},
     {"camera", "/camera"},
@@ -151,8 +143,8 @@ constexpr std::pair<const char*, const char*> kColumns[] = {
     {"ev100", "/ev100"},
 };
 
-constexpr const char* kErrorColumns[] = {"beams_relative_rmse", "display_rmse_percent", "psnr_db",
-                                         "flip_mean", "reference_relative_rms"};
+constexpr const char* kSweepErrorColumns[] = {"beams_relative_rmse", "display_rmse_percent",
+                                              "psnr_db", "flip_mean", "reference_relative_rms"};
 
 void addOnce(std::vector<std::string>& names, const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -187,13 +179,13 @@ std::string SweepPoint::method() const {
     }
     const std::optional<double> tolerance = settings.beams.tolerance;
     if (tolerance && tolerance != std::optional<double>(BeamSettings{}.tolerance)) {
-        text += " tolerance " + shortNumber(*tolerance);
+        text += " tolerance " + fourDigits(*tolerance);
     }
     if (settings.beams.eightBitBlending) {
         text += " in 8 bits";
     }
     if (settings.beams.spacingMetres) {
-        text += " dt " + shortNumber(*settings.beams.spacingMetres) + " m";
+        text += " dt " + fourDigits(*settings.beams.spacingMetres) + " m";
     }
     return text;
 }
@@ -316,7 +308,7 @@ std::string toCsv(const std::vector<SweepRecord>& records) {
         }
     }
     std::string csv;
-    for (const auto& [column, where] : kColumns) {
+    for (const auto& [column, where] : kSweepColumns) {
         csv += csv.empty() ? "" : ",";
         csv += column;
     }
@@ -327,7 +319,7 @@ std::string toCsv(const std::vector<SweepRecord>& records) {
         }
     }
     for (const std::string& reference : references) {
-        for (const char* column : kErrorColumns) {
+        for (const char* column : kSweepErrorColumns) {
             csv += ',';
             csv += csvText(std::string(column) + "@" + reference);
         }
@@ -336,7 +328,7 @@ std::string toCsv(const std::vector<SweepRecord>& records) {
     for (const SweepRecord& record : records) {
         const Json json = toJson(record);
         std::string line;
-        for (const auto& [column, where] : kColumns) {
+        for (const auto& [column, where] : kSweepColumns) {
             line += line.empty() ? "" : ",";
             line += csvField(json.at(Json::json_pointer(where)));
         }
@@ -350,7 +342,7 @@ std::string toCsv(const std::vector<SweepRecord>& records) {
         }
         for (const std::string& reference : references) {
             const Json error = elementWith(json.at("errors"), "against", reference);
-            for (const char* column : kErrorColumns) {
+            for (const char* column : kSweepErrorColumns) {
                 line += ',';
                 line += error.is_null() ? "" : csvField(error.at(column));
             }

@@ -34,5 +34,7 @@ std::string makeReport(const nlohmann::json& context, const std::vector<SweepRec
 
 /// An error that is white in difference pictures, in % of full scale.
 inline constexpr double kReportDifferencePercent = 5.0;
+/// Pixels that its pictures are wide at most.
+inline constexpr int kReportPictureWidth = 480;
 
 }  // namespace ribalta

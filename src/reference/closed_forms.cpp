@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/check.h"
-#include "base/pi.h"
 
 namespace ribalta {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/check.h"
 #include "base/parallel_for.h"
-#include "base/pi.h"
 #include "sky/sky_air.h"
 
 namespace ribalta {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/pi.h"
+#include "base/angles.h"
 #include "sky/sky_air.h"
 
 namespace ribalta {

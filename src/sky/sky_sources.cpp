@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/check.h"
 #include "base/cubic_weights.h"
 #include "base/parallel_for.h"
-#include "base/pi.h"
 #include "sky/phase_projection.h"
 #include "sky/sky_air.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/angles.h"
 #include "base/check.h"
 #include "base/parallel_for.h"
-#include "base/pi.h"
 #include "sky/obtain_sky_sources.h"
 #include "sky/sky_air.h"
 #include "sky/sky_sources.h"

@@ -2,13 +2,12 @@
 
 #include <cmath>
 
-#include "base/pi.h"
+#include "base/angles.h"
 #include "scene/bearing.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 constexpr double kJ2000 = 2451545.0;
 constexpr double kCentury = 36525.0;  // days
 // Dynamical less universal time: 63 to 69 s in 1996..2026, within two minutes of it in 1900..2100,

@@ -8,6 +8,7 @@
 #include <imgui/imgui.h>
 #include <imgui/imgui_stdlib.h>
 
+#include "base/angles.h"
 #include "optics/color_temperature.h"
 #include "scene/bearing.h"
 #include "viewer/lamp_marks.h"
@@ -16,7 +17,6 @@
 namespace ribalta {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr float kListHeight = 220.0F;
 
 // What names of lamps that belong together start with: "Spot.001" and "Spot 2" are both "Spot".
@@ -134,12 +134,12 @@ void editColor(ViewerState& state, const StageView& stage, const LampId& lamp) {
 }
 
 void editCone(ViewerState& state, const LampId& lamp, const SpotLight& spot) {
-    auto outer = float(spot.outerConeAngle * kDegrees * 2.0);
+    auto outer = float(spot.outerConeAngle * kDegreesPerRadian * 2.0);
     if (ImGui::SliderFloat("zoom", &outer, 1.0F, 160.0F, "%.1f degrees",
                            ImGuiSliderFlags_AlwaysClamp)) {
         LampChange& change = state.changeOf(lamp);
         // The edge stays as soft as it is.
-        change.outerConeAngle = 0.5 * double(outer) / kDegrees;
+        change.outerConeAngle = 0.5 * double(outer) / kDegreesPerRadian;
         change.innerConeAngle = *change.outerConeAngle * sharpnessOf(spot);
     }
     auto soft = float(1.0 - sharpnessOf(spot));
@@ -151,14 +151,14 @@ void editCone(ViewerState& state, const LampId& lamp, const SpotLight& spot) {
 // Pan about the world's up from -Z to the right, tilt above the horizon.
 void editAim(ViewerState& state, const LampId& lamp, const Frame& frame) {
     const Bearing ahead = bearingOf(frame.forward());
-    auto pan = float(ahead.azimuth * kDegrees);
-    auto tilt = float(ahead.elevation * kDegrees);
+    auto pan = float(ahead.azimuth * kDegreesPerRadian);
+    auto tilt = float(ahead.elevation * kDegreesPerRadian);
     bool changed = ImGui::SliderFloat("pan", &pan, -180.0F, 180.0F, "%.1f degrees",
                                       ImGuiSliderFlags_AlwaysClamp);
     changed |= ImGui::SliderFloat("tilt", &tilt, -89.9F, 89.9F, "%.1f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) {
-        const Bearing bearing{double(pan) / kDegrees, double(tilt) / kDegrees};
+        const Bearing bearing{double(pan) / kDegreesPerRadian, double(tilt) / kDegreesPerRadian};
         state.changeOf(lamp).frame = turned(frame, directionOf(bearing));
     }
 }
@@ -181,10 +181,10 @@ void editLightMap(ViewerState& state, const StageView& stage, const LampId& lamp
         if (ImGui::Button("no light map")) {
             state.changeOf(lamp).lightMap.file.emplace();
         }
-        auto degrees = float(spot.lightMap->rotationRadians * kDegrees);
+        auto degrees = float(spot.lightMap->rotationRadians * kDegreesPerRadian);
         if (ImGui::SliderFloat("rotation", &degrees, -180.0F, 180.0F, "%.1f degrees",
                                ImGuiSliderFlags_AlwaysClamp)) {
-            state.changeOf(lamp).lightMap.rotationRadians = double(degrees) / kDegrees;
+            state.changeOf(lamp).lightMap.rotationRadians = double(degrees) / kDegreesPerRadian;
         }
     }
 }

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_stdlib.h>
 
+#include "base/angles.h"
 #include "look/look_settings.h"
 #include "optics/shader_lib.h"
 #include "scene/animation.h"
@@ -18,7 +18,6 @@ namespace {
 
 constexpr float kPanelWidth = 330.0F;
 constexpr float kMargin = 10.0F;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct KeyHelp {
     const char* key;
@@ -87,10 +86,10 @@ void drawCameras(ViewerState& state, const StageView& stage) {
         state.look.bookmarks.push_back(std::move(bookmark));
     }
     if (auto* lens = std::get_if<PerspectiveLens>(&state.view.camera.lens)) {
-        auto degrees = float(lens->verticalFov * kDegrees);
+        auto degrees = float(lens->verticalFov * kDegreesPerRadian);
         if (ImGui::SliderFloat("angle", &degrees, 1.0F, 150.0F, "%.1f degrees",
                                ImGuiSliderFlags_AlwaysClamp)) {
-            lens->verticalFov = double(degrees) / kDegrees;
+            lens->verticalFov = double(degrees) / kDegreesPerRadian;
         }
     }
 }
@@ -277,14 +276,15 @@ void drawSky(ViewerState& state) {
     }
     chooseNamed("model", skyKinds(), state.look.sky->model);
     SunInSky sun = state.look.sky->sun.value_or(sunOfNoLamp());
-    auto elevation = float(sun.elevation * kDegrees);
-    auto azimuth = float(sun.azimuth * kDegrees);
+    auto elevation = float(sun.elevation * kDegreesPerRadian);
+    auto azimuth = float(sun.azimuth * kDegreesPerRadian);
     bool changed = ImGui::SliderFloat("sun's height", &elevation, -20.0F, 90.0F, "%.1f degrees",
                                       ImGuiSliderFlags_AlwaysClamp);
     changed |= ImGui::SliderFloat("azimuth", &azimuth, 0.0F, 360.0F, "%.1f degrees",
                                   ImGuiSliderFlags_AlwaysClamp);
     if (changed) {
-        state.look.sky->sun = SunInSky{double(elevation) / kDegrees, double(azimuth) / kDegrees};
+        state.look.sky->sun =
+            SunInSky{double(elevation) / kDegreesPerRadian, double(azimuth) / kDegreesPerRadian};
     }
     const double low = 0.0;
     const double high = 1e5;

@@ -1,17 +1,15 @@
 // Beams where single precision and special directions would show: narrow and far, far from the
 // origin, a camera at the lamp or on its axis, no end to the view.
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "reference_beams.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-FrameSettings hazySettings(int width = 48, int height = 36) {
+FrameSettings thinHazeSettings(int width = 48, int height = 36) {
     FrameSettings settings = measuringSettings(width, height);
     settings.haze.scatteringPerMetre = 0.03;
     settings.haze.absorptionPerMetre = 0.01;
@@ -24,7 +22,7 @@ class BeamExtremes : public GpuTest {};
 TEST_F(BeamExtremes, ANarrowBeamFiftyMetresAway) {
     Scene scene;
     scene.spotLights.push_back(makeSpot({0, 4, 0}, {0, -4, 0}, 0.5 * kDegree, 1e6));
-    const FrameSettings settings = hazySettings();
+    const FrameSettings settings = thinHazeSettings();
     // From 50 m the beam is 4 cm wide at the target and eight pixels of the picture.
     const Camera camera = makeCamera({30.0, 2.0, 40.0}, {0.0, 2.0, 0.0}, 0.003);
     const Picture exact = referenceBeams(scene, camera, settings, openEnd);
@@ -41,7 +39,7 @@ TEST_F(BeamExtremes, ANarrowBeamFiftyMetresAway) {
 TEST_F(BeamExtremes, ABeamHalfAKilometreAway) {
     Scene scene;
     scene.spotLights.push_back(makeSpot({0, 10, 0}, {20, 0, 0}, 10.0 * kDegree, 1e6));
-    FrameSettings settings = hazySettings();
+    FrameSettings settings = thinHazeSettings();
     settings.haze.scatteringPerMetre = 0.002;
     settings.haze.absorptionPerMetre = 0.0;
     const Camera camera = makeCamera({0.0, 5.0, 500.0}, {5.0, 5.0, 0.0}, 0.04);
@@ -68,7 +66,7 @@ Frame3 drawAt(const glm::dvec3& origin) {
     scene.pointLights.push_back(point);
     scene.directionalLights.emplace_back();
     const Camera camera = makeCamera(origin + glm::dvec3(0, 2, 7), origin + glm::dvec3(0, 1.5, 0));
-    FrameSettings settings = hazySettings(64, 48);
+    FrameSettings settings = thinHazeSettings(64, 48);
     settings.ambientLux = 1.0;
     FrameLayers layers;
     layers.beams = layers.depth = layers.normal = layers.transmittance = true;
@@ -95,7 +93,7 @@ TEST_F(BeamExtremes, TenKilometresFromTheOriginNothingChanges) {
 TEST_F(BeamExtremes, ACameraAtTheLampAgreesWithTheReference) {
     Scene scene;
     scene.spotLights.push_back(makeSpot({0.5, 3, 0}, {0.5, 3, -1}, 25.0 * kDegree, 1000.0));
-    const FrameSettings settings = hazySettings();
+    const FrameSettings settings = thinHazeSettings();
     const Camera camera = makeCamera({0.5, 3, 0}, {0.5, 3, -1}, 0.7);
     const Picture exact = referenceBeams(scene, camera, settings, openEnd);
     EXPECT_LT(relativeRmse(drawnBeams(scene, camera, settings), exact), 0.01);
@@ -118,7 +116,7 @@ bool isFiniteAndLit(const Frame3& frame) {
 TEST_F(BeamExtremes, EveryPixelIsFiniteWhereverTheCameraStands) {
     const double angles[] = {0.5 * kDegree, 15.0 * kDegree, 80.0 * kDegree};
     // Odd sides: the middle pixel's ray is the axis itself.
-    FrameSettings settings = hazySettings(17, 13);
+    FrameSettings settings = thinHazeSettings(17, 13);
     settings.beams.planes = 16;
     FrameLayers layers;
     layers.beams = layers.transmittance = true;
@@ -170,7 +168,7 @@ TEST_F(BeamExtremes, EveryPixelIsFiniteWhereverTheCameraStands) {
 TEST_F(BeamExtremes, SharpestPhaseFunctionsStayFinite) {
     Scene scene;
     scene.spotLights.push_back(makeSpot({0, 0, 0}, {0, 0, -1}, 0.2, 1e6));
-    FrameSettings settings = hazySettings(17, 13);
+    FrameSettings settings = thinHazeSettings(17, 13);
     FrameLayers layers;
     layers.beams = true;
     const Camera against = makeCamera({0, 0, -5}, {0, 0, 0});
@@ -192,13 +190,13 @@ TEST_F(BeamExtremes, ARangeShorterThanTheLensIsDark) {
     layers.beams = true;
     Camera camera = makeCamera({0.3, 0, 0}, {0, 0, 0});
     camera.nearMetres = 0.01;
-    EXPECT_FALSE(isFiniteAndLit(drawOnce(scene, camera, hazySettings(), layers)));
+    EXPECT_FALSE(isFiniteAndLit(drawOnce(scene, camera, thinHazeSettings(), layers)));
 }
 
 TEST_F(BeamExtremes, ThickHazeAndDarkLampsLeaveNothingBroken) {
     Scene scene;
     scene.spotLights.push_back(makeSpot({0, 0, 0}, {0, 0, -1}, 0.5, 1e6));
-    FrameSettings settings = hazySettings();
+    FrameSettings settings = thinHazeSettings();
     settings.haze.scatteringPerMetre = 500.0;
     FrameLayers layers;
     layers.beams = layers.transmittance = true;

@@ -1,10 +1,10 @@
 // The heart: the GPU's `clipped` beams against the double-precision integral of the same formulas,
 // and both against Sun et al.'s closed form.
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "image/read_image.h"
 #include "optics/shader_lib.h"
 #include "reference/closed_forms.h"
@@ -14,7 +14,6 @@
 namespace ribalta::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kSheets = 64;
 // What the project promises of 64 sheets. Measured: at most 0.0014, where the camera looks along
 // the axis from behind the lamp, and 0.0003 elsewhere.

@@ -2,15 +2,14 @@
 // shade themselves nor light leaks through walls.
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "base/angles.h"
 #include "gpu_test.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 // The map of a picture this small, in texels a side.
 constexpr int kMapSide = 256;
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/angles.h"
 #include "gl/counters.h"
 #include "gpu_test.h"
 #include "render/evaluate_baseline_sky.h"
@@ -12,8 +13,6 @@
 
 namespace ribalta::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 PrecomputedSkySettings smallTables(bool simplified) {
     PrecomputedSkySettings settings = simplified ? simplifiedSky() : PrecomputedSkySettings{};

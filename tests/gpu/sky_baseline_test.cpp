@@ -3,12 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <random>
 
 #include <shared/sky_precomputed.h>
 #include <shared/slots.h>
 
+#include "base/angles.h"
 #include "gl/counters.h"
 #include "gl/program.h"
 #include "gpu_test.h"
@@ -20,8 +20,6 @@
 
 namespace ribalta::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 SkyRay rayTowards(double height, double mu, double elevation, double cosAzimuth) {
     const double muS = std::sin(elevation * kDegree);

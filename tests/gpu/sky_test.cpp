@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/angles.h"
 #include "base/parallel_for.h"
 #include "gl/counters.h"
 #include "gpu_test.h"
@@ -18,10 +19,9 @@ namespace ribalta::test {
 namespace {
 
 constexpr double kDarkest = 1e-6;  // radiance from which on a relative error counts
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// A ray that looks at azimuth `around` from the sun's; angles in radians.
-SkyRay rayTowards(double height, double zenithAngle, double elevation, double around) {
+SkyRay rayByAngles(double height, double zenithAngle, double elevation, double around) {
     const double mu = std::cos(zenithAngle);
     const double muS = std::sin(elevation);
     return {height, mu, muS,
@@ -39,9 +39,9 @@ std::vector<SkyRay> randomRays(int count, double lowestSun, double highestSun) {
         const double height = heights[std::size_t(i) % std::size(heights)];
         // In space: towards the planet and its limb.
         const double lowest = height > 60e3 ? 105.0 : 0.0;
-        rays.push_back(rayTowards(height, between(lowest, 180.0) * kDegree,
-                                  between(lowestSun, highestSun) * kDegree,
-                                  between(0.0, std::numbers::pi)));
+        rays.push_back(rayByAngles(height, between(lowest, 180.0) * kDegree,
+                                   between(lowestSun, highestSun) * kDegree,
+                                   between(0.0, std::numbers::pi)));
     }
     return rays;
 }
@@ -147,7 +147,7 @@ TEST_F(Sky, ExtremesAreFiniteAndNotNegative) {
             for (const double sun : {-90.0, -20.0, -4.0, -0.01, 0.0, 0.01, 5.0, 90.0}) {
                 for (const double around : {0.0, 90.0, 180.0}) {
                     rays.push_back(
-                        rayTowards(height, angle * kDegree, sun * kDegree, around * kDegree));
+                        rayByAngles(height, angle * kDegree, sun * kDegree, around * kDegree));
                 }
             }
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "gl/counters.h"
 #include "gpu_test.h"
 #include "reference/cast_rays.h"
@@ -13,7 +14,6 @@
 namespace ribalta::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFar = 1e4;  // metres: beyond every caster
 
 class SunShadow : public GpuTest {

@@ -1,8 +1,8 @@
 // The luminance of surfaces under every kind of lamp against the formula in double precision, at
 // the centre of every pixel.
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "gpu_test.h"
 #include "optics/shader_lib.h"
 #include "support/stage.h"
@@ -10,7 +10,6 @@
 namespace ribalta::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // What the project promises of a surface's luminance.
 constexpr double kPromised = 0.005;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
@@ -31,8 +31,6 @@ struct InspectOptions {
     bool strict = false;
     std::vector<std::string> table;
 };
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string quoted(const std::string& name) {
     return "'" + oneLine(name) + "'";
@@ -154,7 +152,7 @@ void printLightMap(const Scene& scene, const SpotLight& lamp) {
     const std::string& name = scene.images[std::size_t(lamp.lightMap->image)].name;
     std::printf(", light map %s", quoted(name).c_str());
     if (lamp.lightMap->rotationRadians != 0.0) {
-        std::printf(" turned %.1f deg", lamp.lightMap->rotationRadians * kDegrees);
+        std::printf(" turned %.1f deg", lamp.lightMap->rotationRadians * kDegreesPerRadian);
     }
 }
 
@@ -163,8 +161,9 @@ void printLamps(const Scene& scene) {
     for (const SpotLight& lamp : scene.spotLights) {
         std::printf("  %s %.0f cd, colour %.2f %.2f %.2f, half angle %.1f deg (inner %.1f)",
                     quoted(lamp.name).c_str(), lamp.intensityCandela, double(lamp.color.x),
-                    double(lamp.color.y), double(lamp.color.z), lamp.outerConeAngle * kDegrees,
-                    lamp.innerConeAngle * kDegrees);
+                    double(lamp.color.y), double(lamp.color.z),
+                    lamp.outerConeAngle * kDegreesPerRadian,
+                    lamp.innerConeAngle * kDegreesPerRadian);
         if (std::isfinite(lamp.rangeMetres)) {
             std::printf(", range %.3g m", lamp.rangeMetres);
         }
@@ -198,7 +197,7 @@ void printCameras(const Scene& scene) {
         const Camera& camera = scene.cameras[i];
         std::printf("  %zu %s ", i, quoted(camera.name).c_str());
         if (const auto* lens = std::get_if<PerspectiveLens>(&camera.lens)) {
-            std::printf("perspective, %.1f deg high", lens->verticalFov * kDegrees);
+            std::printf("perspective, %.1f deg high", lens->verticalFov * kDegreesPerRadian);
         } else {
             const auto& box = std::get<OrthographicLens>(camera.lens);
             std::printf("orthographic, %.3g x %.3g m", 2.0 * box.halfWidth, 2.0 * box.halfHeight);

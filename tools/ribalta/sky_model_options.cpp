@@ -18,8 +18,8 @@ constexpr int kMostTexels = 4096;
 }
 
 /// Whole numbers between x: "256x64".
-std::vector<int> parseSize(const std::string& option, const std::string& text, std::size_t count,
-                           const std::string& expected) {
+std::vector<int> parseTableSize(const std::string& option, const std::string& text,
+                                std::size_t count, const std::string& expected) {
     std::vector<int> sizes;
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t end = std::min(text.find('x', start), text.size());
@@ -36,7 +36,8 @@ std::vector<int> parseSize(const std::string& option, const std::string& text, s
 }
 
 SkyPlaneSize parsePlane(const std::string& option, const std::string& text) {
-    const std::vector<int> sizes = parseSize(option, text, 2, "two sizes in 2..4096, e.g. 256x64");
+    const std::vector<int> sizes =
+        parseTableSize(option, text, 2, "two sizes in 2..4096, e.g. 256x64");
     if (sizes[0] < 2 || sizes[1] < 2) {
         refuse(option, "'" + text + "' is not two sizes in 2..4096, e.g. 256x64");
     }
@@ -49,7 +50,7 @@ SkyVolumeSize parseVolume(const std::string& text) {
         "four sizes, heights x view angles x suns x angles between ray and sun, e.g. "
         "32x128x32x8: at least 2 heights, 4 view angles (an even number), 2 suns, 1 angle, and "
         "at most 4096 each and of the last two's product";
-    const std::vector<int> sizes = parseSize(option, text, 4, expected);
+    const std::vector<int> sizes = parseTableSize(option, text, 4, expected);
     if (sizes[0] < 2 || sizes[1] < 4 || sizes[1] % 2 != 0 || sizes[2] < 2 ||
         sizes[2] * sizes[3] > kMostTexels) {
         refuse(option, "'" + text + "' is not " + expected);

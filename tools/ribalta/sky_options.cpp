@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <variant>
 
 #include <CLI/CLI.hpp>
 
+#include "base/angles.h"
 #include "base/log.h"
 #include "look/look_settings.h"
 #include "options.h"
@@ -16,7 +16,6 @@ namespace ribalta {
 namespace {
 
 constexpr double kHighestMetres = 1e9;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 // From elevation and azimuth in degrees.
 SunInSky parseSun(const std::string& text) {
@@ -28,7 +27,7 @@ SunInSky parseSun(const std::string& text) {
         throw CLI::ValidationError(
             "--sun", "'" + text + "' is not ELEVATION,AZIMUTH in degrees, -90..90 and -360..360");
     }
-    return {*elevation / kDegrees, *azimuth / kDegrees};
+    return {*elevation / kDegreesPerRadian, *azimuth / kDegreesPerRadian};
 }
 
 std::string expectAltitude(const std::string& text) {
@@ -186,8 +185,8 @@ void SkyOptions::tellOfSun(const Scene& scene) const {
         std::snprintf(line, sizeof line,
                       "sky: at %s the sun stands at %.2f,%.2f (elevation without refraction, "
                       "azimuth)",
-                      sunTime.time->c_str(), place->elevation * kDegrees,
-                      place->azimuth * kDegrees);
+                      sunTime.time->c_str(), place->elevation * kDegreesPerRadian,
+                      place->azimuth * kDegreesPerRadian);
         logNote(line);
     } else if (sunAsked()) {
         return;
@@ -199,7 +198,7 @@ void SkyOptions::tellOfSun(const Scene& scene) const {
         std::snprintf(line, sizeof line,
                       "sky: the file has no directional lamp; the sun stands at %.4g,%.4g, give "
                       "--sun ELEVATION,AZIMUTH for another place",
-                      usual.elevation * kDegrees, usual.azimuth * kDegrees);
+                      usual.elevation * kDegreesPerRadian, usual.azimuth * kDegreesPerRadian);
         logNote(line);
     }
 }

@@ -50,9 +50,9 @@ std::string_view content(std::string_view cell) {
     return cell;
 }
 
-class Reader {
+class LineReader {
   public:
-    Reader(std::string file, const std::string& header) : file_(std::move(file)) {
+    LineReader(std::string file, const std::string& header) : file_(std::move(file)) {
         for (const std::string& cell : split(header)) {
             names_.emplace_back(content(cell));
         }
@@ -153,7 +153,7 @@ SkyPoints parseSkyPoints(std::string_view text, const std::string& file) {
         text.remove_prefix(3);
     }
     SkyPoints points;
-    std::optional<Reader> reader;
+    std::optional<LineReader> reader;
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string line(text.substr(0, end));

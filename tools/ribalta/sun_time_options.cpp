@@ -2,23 +2,22 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <CLI/CLI.hpp>
 
+#include "base/angles.h"
 #include "parse_number.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kFirstYear = 1900;  // as far as the sun's place is good to 0.01 degree
 constexpr int kLastYear = 2100;
 
 /// Reads a text from left to right; once something is not as expected all that follows fails too.
-class Reader {
+class TimeReader {
   public:
-    explicit Reader(const std::string& text) : rest_(text) {}
+    explicit TimeReader(const std::string& text) : rest_(text) {}
 
     /// Just so many digits.
     int digits(std::size_t count) {
@@ -68,7 +67,7 @@ int daysOf(int year, int month) {
 }
 
 /// Hours of the zone that the text ends with, east positive.
-double readZone(Reader& reader) {
+double readZone(TimeReader& reader) {
     if (reader.take('Z')) {
         return 0.0;
     }
@@ -90,7 +89,7 @@ double parseTime(const std::string& text) {
     const auto refuse = [&](const std::string& why) -> double {
         throw CLI::ValidationError("--sun-time", "'" + text + "' " + why);
     };
-    Reader reader(text);
+    TimeReader reader(text);
     const int year = reader.digits(4);
     reader.expect('-');
     const int month = reader.digits(2);

@@ -24,8 +24,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kPictureWidth = 480;
-
 std::string fileName(const SweepPoint& point) {
     return std::filesystem::path(point.scene).filename().string();
 }
@@ -266,7 +264,7 @@ std::string SweepRun::writeReferencePicture(const SweepView& view, const std::st
     }
     std::string name = "pictures/";
     name += key + "-reference.png";
-    const BytePicture picture = smallPicture(view.shownReference(), kPictureWidth);
+    const BytePicture picture = smallPicture(view.shownReference(), kReportPictureWidth);
     writePng(settings_.folder / name, picture.width, picture.height, picture.rgb);
     return name;
 }
@@ -315,12 +313,12 @@ void SweepRun::showLight(Renderer& renderer, const SweepView& view, const Planne
         const DrawnLight light = drawLight(renderer, planned.camera, planned.point.settings);
         refuseNonFinite(light.beams, {"the beams drawn", ""});
         const RgbPicture shown = view.show(light.beams);
-        picture = smallPicture(shown, kPictureWidth);
+        picture = smallPicture(shown, kReportPictureWidth);
         if (view.hasReferences()) {
             record.errors = view.errorsOf(light.beams, shown);
             record.ev100 = view.ev100();
-            difference =
-                errorPicture(shown, view.shownReference(), kReportDifferencePercent, kPictureWidth);
+            difference = errorPicture(shown, view.shownReference(), kReportDifferencePercent,
+                                      kReportPictureWidth);
         }
     } catch (const std::exception& error) {
         record.status = SweepRecord::Status::kFailed;

@@ -27,7 +27,6 @@
 namespace ribalta {
 namespace {
 
-constexpr int kPictureWidth = 480;
 const char* const kSceneName = "pinheiro2014";
 
 FrameSettings frameSettings(const PictureSize& size) {
@@ -184,12 +183,13 @@ class SkySweep {
         };
         const std::string stem = "pictures/" + record.view + "-" + record.row;
         const RgbPicture shown = displayPicture(drawn, view.ev100);
-        record.picture = write(stem + ".png", smallPicture(shown, kPictureWidth));
-        record.difference =
-            write(stem + "-difference.png", errorPicture(shown, displayPicture(right, view.ev100),
-                                                         kReportDifferencePercent, kPictureWidth));
-        record.reference = write("pictures/" + record.view + "-reference.png",
-                                 smallPicture(displayPicture(all, view.ev100), kPictureWidth));
+        record.picture = write(stem + ".png", smallPicture(shown, kReportPictureWidth));
+        record.difference = write(stem + "-difference.png",
+                                  errorPicture(shown, displayPicture(right, view.ev100),
+                                               kReportDifferencePercent, kReportPictureWidth));
+        record.reference =
+            write("pictures/" + record.view + "-reference.png",
+                  smallPicture(displayPicture(all, view.ev100), kReportPictureWidth));
     }
 
     void writeResults() const {

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
+#include <glm/gtx/component_wise.hpp>
 #include <shared/beams.h>
 
 #include "exact_beams.h"
@@ -17,7 +17,6 @@
 namespace ribalta::stress {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Half a unit in the last place of single precision.
 constexpr double kEpsilon = 0x1p-24;
 /// A beam ends this share of the distance before the surface behind it.
@@ -33,10 +32,6 @@ constexpr int kProbes = 2048;
 constexpr double kUnseen = 1e-9;
 /// What underflows in single precision, cd/m2 for a candela.
 constexpr double kUnderflow = 1e-33;
-
-double largest(const glm::dvec3& v) {
-    return std::max({v.x, v.y, v.z});
-}
 
 /// The geometry of one pixel's ray, by the definition of the cameras.
 struct PixelRay {
@@ -115,7 +110,8 @@ class PixelCheck {
         // exp of a rounded optical depth; beyond 90 nothing is left.
         const double haze =
             4.0 * kEpsilon * std::min(2.0 * lampMetres_ * setUp_.haze.extinctionPerMetre(), 90.0);
-        return largest(value) * (2e-5 + sum + peak + haze) + kUnderflow * std::max(candela_, 1.0);
+        return glm::compMax(value) * (2e-5 + sum + peak + haze) +
+               kUnderflow * std::max(candela_, 1.0);
     }
 
     /// Whether the screen shows two values of a pixel's beams alike, as far as interpolation may.
@@ -131,7 +127,8 @@ class PixelCheck {
         }
         const glm::dvec3 rest =
             drawn_.color(pixel.x, pixel.y, "") - drawn_.color(pixel.x, pixel.y, "beams");
-        return largest(glm::abs(shown(rest + a, *drawn_.ev100) - shown(rest + b, *drawn_.ev100)));
+        return glm::compMax(
+            glm::abs(shown(rest + a, *drawn_.ev100) - shown(rest + b, *drawn_.ev100)));
     }
 
     double quadrature(int x, int y) const {
@@ -247,8 +244,8 @@ class PixelCheck {
 
     double extent() const {
         return setUp_.camera.isOrthographic()
-                   ? largest(glm::dvec3(viewHalfExtent(setUp_.camera, setUp_.width, setUp_.height),
-                                        0.0))
+                   ? glm::compMax(glm::dvec3(
+                         viewHalfExtent(setUp_.camera, setUp_.width, setUp_.height), 0.0))
                    : 0.0;
     }
 
@@ -268,7 +265,7 @@ std::string line(const char* what, int x, int y, const glm::dvec3& drawn, const 
         "%s in pixel %d, %d: drawn (%.9g, %.9g, %.9g), expected (%.9g, %.9g, %.9g) cd/m2, "
         "off by %.3g, allowed %.3g",
         what, x, y, drawn.x, drawn.y, drawn.z, exact.x, exact.y, exact.z,
-        largest(glm::abs(drawn - exact)), allowed);
+        glm::compMax(glm::abs(drawn - exact)), allowed);
     return text;
 }
 
@@ -308,8 +305,8 @@ std::vector<glm::ivec2> choosePixels(const Drawn& drawn) {
     glm::ivec2 brightest(0);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            if (largest(drawn.color(x, y, "beams")) >
-                largest(drawn.color(brightest.x, brightest.y, "beams"))) {
+            if (glm::compMax(drawn.color(x, y, "beams")) >
+                glm::compMax(drawn.color(brightest.x, brightest.y, "beams"))) {
                 brightest = {x, y};
             }
         }
@@ -336,7 +333,7 @@ class Judge {
 
     void compare(const char* what, const glm::ivec2& pixel, const glm::dvec3& drawn,
                  const glm::dvec3& expected, const glm::dvec3& exact, bool sameSamples) {
-        const double error = largest(glm::abs(drawn - expected));
+        const double error = glm::compMax(glm::abs(drawn - expected));
         double allowed =
             check_.rounding(glm::max(exact, expected)) * (sameSamples ? 2.0 : 1.0) + least_;
         if (error <= allowed) {
@@ -349,7 +346,7 @@ class Judge {
         if (!(error <= allowed)) {
             const auto [low, high] = check_.range(pixel.x, pixel.y, exact);
             // The changes that were tried are some of many: as much again.
-            const double spread = largest(high - low);
+            const double spread = glm::compMax(high - low);
             allowed += 2.0 * spread;
             if (sameSamples && spread > 0.0) {
                 // A sample may change sides of an edge that moves.
@@ -426,7 +423,7 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
     double brightest = 0.0;
     for (const glm::ivec2& pixel : pixels) {
         exact.push_back(check.exact(pixel.x, pixel.y));
-        brightest = std::max(brightest, largest(exact.back()));
+        brightest = std::max(brightest, glm::compMax(exact.back()));
     }
     Judge judge(check, kUnseen * brightest, findings);
     if (interpolates) {
@@ -438,9 +435,9 @@ Findings checkSetUp(const SetUp& setUp, BeamMethod method, Stage& stage) {
         const glm::ivec2& pixel = pixels[i];
         const glm::dvec3 drawn = here.color(pixel.x, pixel.y, "beams");
         const glm::dvec3 again = there.color(pixel.x, pixel.y, "beams");
-        brightest = std::max(brightest, largest(drawn));
-        error = std::max(error, largest(glm::abs(drawn - exact[i])));
-        motion = std::max(motion, largest(glm::abs(drawn - again)));
+        brightest = std::max(brightest, glm::compMax(drawn));
+        error = std::max(error, glm::compMax(glm::abs(drawn - exact[i])));
+        motion = std::max(motion, glm::compMax(glm::abs(drawn - again)));
         judge.compare("wrong light", pixel, sampled.color(pixel.x, pixel.y, "beams"), exact[i],
                       exact[i], false);
         judge.compare("changed by a rigid motion", pixel, again, drawn, exact[i], true);
@@ -476,18 +473,18 @@ Findings checkReference(const SetUp& setUp) {
         const glm::dvec3 exact = check.exact(pixel.x, pixel.y);
         const glm::dvec3 value =
             reference.along({ray.origin, ray.direction, ray.first, ray.last}).value;
-        const double error = largest(glm::abs(value - exact));
+        const double error = glm::compMax(glm::abs(value - exact));
         // Both ask for 1e-6 of themselves; a shadow's edge is found to 1e-12 of the stretch.
         SetUp open = setUp;
         open.rectangles.clear();
-        const double unshadowed = largest(ExactBeams(open, 0).along(ray));
+        const double unshadowed = glm::compMax(ExactBeams(open, 0).along(ray));
         // A shadow that begins within the rounding of places may be seen or not, and so may one
         // that fits between two probes.
         double missed = 1e-12 * check.lampMetres() / (ray.last - ray.first);
         missed += setUp.rectangles.empty() ? 0.0 : 4.0 / kProbes;
         const double allowed =
-            5e-6 * largest(exact) + std::min(1.0, missed) * unshadowed + check.leastFalloff();
-        findings.worstError = std::max(findings.worstError, error / (largest(exact) + 1e-30));
+            5e-6 * glm::compMax(exact) + std::min(1.0, missed) * unshadowed + check.leastFalloff();
+        findings.worstError = std::max(findings.worstError, error / (glm::compMax(exact) + 1e-30));
         findings.worstShare = std::max(findings.worstShare, error / allowed);
         ++findings.pixels;
         if (!(error <= allowed)) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/parallel_for.h"
 #include "reference/integrate_sky.h"
 #include "render/evaluate_sky.h"
@@ -14,8 +14,6 @@
 namespace ribalta::stress {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kPi = std::numbers::pi;
 constexpr double kStep = 0.01 * kDegree;  // between neighbouring rays and suns
 
 // Steps may be larger than the reference's by these shares of the brighter neighbour ...

@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include <glm/gtx/component_wise.hpp>
+
+#include "base/angles.h"
 #include "integrate.h"
 #include "light_map_value.h"
 
 namespace ribalta::stress {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The rules of the program: a beam begins at the plane of its lens; the falloff's cosines lie at
 // least so far apart; nothing nearer to a lamp casts a shadow.
 constexpr double kLens = 0.05;
@@ -51,10 +50,6 @@ Interval keepWhere(double offset, double slope, const Interval& interval) {
     const double zero = -offset / slope;
     return slope > 0.0 ? Interval{std::max(interval.first, zero), interval.last}
                        : Interval{interval.first, std::min(interval.last, zero)};
-}
-
-double largest(const glm::dvec3& v) {
-    return std::max({v.x, v.y, v.z});
 }
 
 /// Texture units place a lookup between texels in eight bits.
@@ -450,7 +445,8 @@ Roughness ExactBeams::inBeams(const Ray& ray, int samples, bool evenMetres, doub
         for (std::size_t i = 0; i < places.size(); ++i) {
             values.push_back(valueAt(places[i]));
             if (lamp.lightMap && i > 0) {
-                mean += largest(stretch->perPlace(places[i], false)) * (places[i] - places[i - 1]);
+                mean +=
+                    glm::compMax(stretch->perPlace(places[i], false)) * (places[i] - places[i - 1]);
             }
         }
         if (evenMetres) {
@@ -484,8 +480,8 @@ Roughness ExactBeams::inBeams(const Ray& ray, int samples, bool evenMetres, doub
         if (!lamp.casters.empty()) {
             slopeVariation = glm::dvec3(kInfinity);
         }
-        result.variation += largest(variation);
-        result.slopeVariation += largest(slopeVariation);
+        result.variation += glm::compMax(variation);
+        result.slopeVariation += glm::compMax(slopeVariation);
         if (lamp.lightMap) {
             const glm::dvec2 path =
                 lamp.lightMapUv(stretch->origin + stretch->part.last * stretch->direction) -
@@ -523,7 +519,7 @@ Roughness ExactBeams::alongRay(const Ray& ray) const {
             before = value;
             if (lamp.lightMap) {
                 result.lightMapChange +=
-                    kFilterStep * largest(stretch->perPlace(place, false)) * (place - last);
+                    kFilterStep * glm::compMax(stretch->perPlace(place, false)) * (place - last);
                 last = place;
             }
         }
@@ -535,7 +531,7 @@ Roughness ExactBeams::alongRay(const Ray& ray) const {
                 }
             }
         }
-        result.variation += largest(variation) * (ray.last - ray.first);
+        result.variation += glm::compMax(variation) * (ray.last - ray.first);
     }
     return result;
 }

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "random.h"
 
 namespace ribalta::stress {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kHundredKilometres = 1e5;
 
 /// What the classes change, and the measures they need.

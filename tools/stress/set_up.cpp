@@ -3,16 +3,15 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <sstream>
 
+#include "base/angles.h"
 #include "make_set_up.h"
 
 namespace ribalta::stress {
 namespace {
 
 constexpr int kSide = 64;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 template <typename Value>
 Image makeMap(const char* name, Value value) {

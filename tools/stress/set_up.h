@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "scene/light.h"
 
 namespace ribalta::stress {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A rectangle that stops rays and casts shadows, seen from both sides.
 struct Rectangle {

@@ -4,12 +4,11 @@
 #include <cstdio>
 #include <numbers>
 
+#include "base/angles.h"
 #include "random.h"
 
 namespace ribalta::stress {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 enum Kind {
     kOnTheGround,

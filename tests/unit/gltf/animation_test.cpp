@@ -13,8 +13,6 @@ namespace {
 using nlohmann::json;
 using Interpolation = AnimationSampler::Interpolation;
 
-constexpr int kFloat = 5126;
-
 /// A triangle, and animation 0 of it: from x = 0 to x = 4 in 2 s.
 struct AnimatedFile : GltfFile {
     AnimatedFile() : GltfFile(triangleFile()) {

@@ -12,8 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFloat = 5126;
-constexpr int kByte = 5121;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 // The triangle (0,0,0) (1,0,0) (0,1,0), node 0, that hangs on two joints, nodes 1 and 2.
@@ -29,7 +27,7 @@ struct SkinnedFile : GltfFile {
 
     nlohmann::json& attributes() { return json["meshes"][0]["primitives"][0]["attributes"]; }
     void setJoints(const std::vector<std::uint8_t>& joints, const char* name = "JOINTS_0") {
-        attributes()[name] = addAccessor(joints, "VEC4", kByte, joints.size() / 4);
+        attributes()[name] = addAccessor(joints, "VEC4", kUnsignedByte, joints.size() / 4);
     }
     void setWeights(const std::vector<float>& weights, const char* name = "WEIGHTS_0") {
         attributes()[name] = addAccessor(weights, "VEC4", kFloat, weights.size() / 4);
@@ -155,7 +153,7 @@ TEST(GltfDeformerTest, WeightsAreBroughtToASumOfOne) {
 TEST(GltfDeformerTest, NormalizedBytesAreWeights) {
     SkinnedFile file;
     const std::vector<std::uint8_t> bytes = {255, 0, 0, 0, 255, 0, 0, 0, 127, 128, 0, 0};
-    const int accessor = file.addAccessor(bytes, "VEC4", kByte, 3);
+    const int accessor = file.addAccessor(bytes, "VEC4", kUnsignedByte, 3);
     file.json["accessors"][std::size_t(accessor)]["normalized"] = true;
     file.attributes()["WEIGHTS_0"] = accessor;
     const LoadedScene loaded = load(file);

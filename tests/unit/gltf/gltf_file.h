@@ -16,6 +16,14 @@
 
 namespace ribalta::test {
 
+/// Component types of accessors (glTF 2.0, 3.6.2.2).
+inline constexpr int kByte = 5120;
+inline constexpr int kUnsignedByte = 5121;
+inline constexpr int kShort = 5122;
+inline constexpr int kUnsignedShort = 5123;
+inline constexpr int kUnsignedInt = 5125;
+inline constexpr int kFloat = 5126;
+
 /// A document with one buffer, put together by hand. `json` may be changed at will; the buffer is
 /// written into it as a data URI when the file is.
 class GltfFile {

@@ -1,10 +1,10 @@
 // Photometric files: parsed, held against closed forms, projected by spots, refused with a line.
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "gltf/parse_ies.h"
 #include "gltf/project_web.h"
 #include "gltf_file.h"
@@ -17,7 +17,6 @@ using gltf::IesProfile;
 using gltf::PhotometricWeb;
 using nlohmann::json;
 
-constexpr double kPi = std::numbers::pi;
 const Place kPlace{"lamp.ies", ""};
 
 glm::dvec3 directionC(double vertical, double horizontal) {

@@ -12,10 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kByte = 5120;
-constexpr int kShort = 5122;
-constexpr int kFloat = 5126;
-
 const std::vector<float> kTranslations = {0, 0, 0, 2, 0, 0, 0, 3, -1};
 const std::vector<float> kRotations = {0, 0, 0, 1, 0, 0.6F, 0, 0.8F, 0.6F, 0, 0, 0.8F};
 const std::vector<float> kScales = {1, 1, 1, 2, 1, 1, 1, -1, 3};

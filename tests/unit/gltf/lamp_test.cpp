@@ -19,7 +19,7 @@ std::vector<std::byte> somePng() {
 }
 
 // A triangle and a lamp on a node that has more members.
-GltfFile fileWith(const json& light, const json& node = json::object()) {
+GltfFile fileWithLamp(const json& light, const json& node = json::object()) {
     GltfFile file = triangleFile();
     json& lights = file.json["extensions"]["KHR_lights_punctual"]["lights"];
     lights.push_back(light);
@@ -46,7 +46,7 @@ SpotLight spotOf(const GltfFile& file) {
 TEST(LampTest, SpotPointAndDirectional) {
     json spot = spotLight();
     spot.update({{"color", {1, 0.5, 0.25}}, {"range", 12}});
-    const SpotLight lamp = spotOf(fileWith(spot, {{"translation", {0, 5, 0}}}));
+    const SpotLight lamp = spotOf(fileWithLamp(spot, {{"translation", {0, 5, 0}}}));
     EXPECT_EQ(lamp.color, glm::vec3(1.0F, 0.5F, 0.25F));
     EXPECT_EQ(lamp.intensityCandela, 1000.0);
     EXPECT_EQ(lamp.innerConeAngle, 0.2);
@@ -56,21 +56,21 @@ TEST(LampTest, SpotPointAndDirectional) {
     EXPECT_FALSE(lamp.lightMap);
     EXPECT_EQ(lamp.beamShape, BeamShape::kCone);
 
-    const LoadedScene point = load(fileWith({{"type", "point"}}, {{"translation", {1, 2, 3}}}));
+    const LoadedScene point = load(fileWithLamp({{"type", "point"}}, {{"translation", {1, 2, 3}}}));
     ASSERT_EQ(point.scene.pointLights.size(), 1U);
     EXPECT_EQ(point.scene.pointLights[0].position, glm::dvec3(1.0, 2.0, 3.0));
     EXPECT_EQ(point.scene.pointLights[0].color, glm::vec3(1.0F));
     EXPECT_EQ(point.scene.pointLights[0].intensityCandela, 1.0);
     EXPECT_TRUE(std::isinf(point.scene.pointLights[0].rangeMetres));
 
-    const LoadedScene sun = load(fileWith({{"type", "directional"}, {"intensity", 100000}}));
+    const LoadedScene sun = load(fileWithLamp({{"type", "directional"}, {"intensity", 100000}}));
     ASSERT_EQ(sun.scene.directionalLights.size(), 1U);
     EXPECT_EQ(sun.scene.directionalLights[0].direction, glm::dvec3(0.0, 0.0, -1.0));
     EXPECT_EQ(sun.scene.directionalLights[0].illuminanceLux, 100000.0);
 }
 
 TEST(LampTest, OneLightOnSeveralNodesIsALampEach) {
-    GltfFile file = fileWith(spotLight(), {{"name", "left"}});
+    GltfFile file = fileWithLamp(spotLight(), {{"name", "left"}});
     file.addNode({{"name", "right"},
                   {"translation", {4, 0, 0}},
                   {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
@@ -84,9 +84,9 @@ TEST(LampTest, OneLightOnSeveralNodesIsALampEach) {
 TEST(LampTest, NamesOfNodeThenLightThenNumber) {
     json named = spotLight();
     named["name"] = "profile";
-    EXPECT_EQ(spotOf(fileWith(named, {{"name", "spot left"}})).name, "spot left");
-    EXPECT_EQ(spotOf(fileWith(named)).name, "profile");
-    EXPECT_EQ(spotOf(fileWith(spotLight())).name, "spot_0");
+    EXPECT_EQ(spotOf(fileWithLamp(named, {{"name", "spot left"}})).name, "spot left");
+    EXPECT_EQ(spotOf(fileWithLamp(named)).name, "profile");
+    EXPECT_EQ(spotOf(fileWithLamp(spotLight())).name, "spot_0");
 }
 
 TEST(LampTest, LightMapOnTheLightBeforeTheNode) {
@@ -110,7 +110,8 @@ TEST(LampTest, LightMapOnTheLightBeforeTheNode) {
         if (!c.nodeExtras.is_null()) {
             node["extras"] = c.nodeExtras;
         }
-        const LoadedScene loaded = load(fileWith(spotLight(c.lightExtras), node).writeTo(folder));
+        const LoadedScene loaded =
+            load(fileWithLamp(spotLight(c.lightExtras), node).writeTo(folder));
         const SpotLight& spot = loaded.scene.spotLights.at(0);
         ASSERT_TRUE(spot.lightMap);
         EXPECT_EQ(loaded.scene.images.at(std::size_t(spot.lightMap->image)).name, c.expected);
@@ -123,7 +124,7 @@ TEST(LampTest, RotationAndShape) {
     folder.write("a.png", somePng());
     const json extras = {
         {"light_map", "a.png"}, {"light_map_rotation", 90}, {"beam_shape", "pyramid"}};
-    const LoadedScene loaded = load(fileWith(spotLight(extras)).writeTo(folder));
+    const LoadedScene loaded = load(fileWithLamp(spotLight(extras)).writeTo(folder));
     const SpotLight& spot = loaded.scene.spotLights.at(0);
     EXPECT_NEAR(spot.lightMap->rotationRadians, std::numbers::pi / 2, 1e-12);
     EXPECT_EQ(spot.beamShape, BeamShape::kPyramid);
@@ -131,7 +132,7 @@ TEST(LampTest, RotationAndShape) {
 }
 
 TEST(LampTest, LightMapFromATexture) {
-    GltfFile file = fileWith(spotLight({{"light_map", {{"texture", 0}}}}));
+    GltfFile file = fileWithLamp(spotLight({{"light_map", {{"texture", 0}}}}));
     file.push("textures", {{"source", 0}});
     file.push("images", {{"uri", "data:;base64," + base64(somePng())}});
     const LoadedScene loaded = load(file);
@@ -144,7 +145,7 @@ TEST(LampTest, LightMapFromATexture) {
 TEST(LampTest, SharedLightMapIsDecodedOnce) {
     const TestFolder folder;
     folder.write("a.png", somePng());
-    GltfFile file = fileWith(spotLight({{"light_map", "a.png"}}));
+    GltfFile file = fileWithLamp(spotLight({{"light_map", "a.png"}}));
     file.json["extensions"]["KHR_lights_punctual"]["lights"].push_back(
         spotLight({{"light_map", "./a.png"}}));
     file.addNode({{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
@@ -155,7 +156,7 @@ TEST(LampTest, SharedLightMapIsDecodedOnce) {
 
 TEST(LampTest, LightMapThatCannotBeReadIsAStandIn) {
     for (const char* path : {"missing.png", "../a.png", "/a.png", "http://a/b.png"}) {
-        const LoadedScene loaded = load(fileWith(spotLight({{"light_map", path}})));
+        const LoadedScene loaded = load(fileWithLamp(spotLight({{"light_map", path}})));
         ASSERT_TRUE(loaded.scene.spotLights.at(0).lightMap) << path;
         EXPECT_EQ(loaded.scene.images.at(0).pixels, makeStandInImage("").pixels);
         expectLine(loaded, Report::Kind::kRepaired, std::string(kLights) + "/0/extras/light_map",
@@ -166,13 +167,13 @@ TEST(LampTest, LightMapThatCannotBeReadIsAStandIn) {
 TEST(LampTest, LightMapOfAnotherTypeIsTold) {
     for (const json& value :
          {json(7), json(""), json{{"texture", 3}}, json{{"texture", "a"}}, json::array()}) {
-        const LoadedScene loaded = load(fileWith(spotLight({{"gobo", value}})));
+        const LoadedScene loaded = load(fileWithLamp(spotLight({{"gobo", value}})));
         EXPECT_FALSE(loaded.scene.spotLights.at(0).lightMap) << value;
         EXPECT_EQ(loaded.report.entries().size(), 1U) << reportText(loaded);
         EXPECT_EQ(loaded.report.entries().at(0).kind, Report::Kind::kIgnored);
     }
     const LoadedScene shape =
-        load(fileWith(spotLight({{"beam_shape", 3}, {"light_map_rotation", "much"}})));
+        load(fileWithLamp(spotLight({{"beam_shape", 3}, {"light_map_rotation", "much"}})));
     expectLine(shape, Report::Kind::kIgnored, std::string(kLights) + "/0/extras/beam_shape",
                "pyramid");
     expectLine(shape, Report::Kind::kIgnored, std::string(kLights) + "/0/extras/light_map_rotation",
@@ -182,7 +183,7 @@ TEST(LampTest, LightMapOfAnotherTypeIsTold) {
 TEST(LampTest, LightMapOnOtherLampsIsTold) {
     for (const char* type : {"point", "directional"}) {
         const LoadedScene loaded =
-            load(fileWith({{"type", type}, {"extras", {{"light_map", "a.png"}}}}));
+            load(fileWithLamp({{"type", type}, {"extras", {{"light_map", "a.png"}}}}));
         expectLine(loaded, Report::Kind::kIgnored, std::string(kLights) + "/0/extras/light_map",
                    "spots only");
         EXPECT_TRUE(loaded.scene.images.empty());
@@ -205,7 +206,7 @@ TEST(LampTest, ConesAreBroughtIntoWhatIsDrawn) {
     for (const Case& c : cases) {
         json light = spotLight();
         light["spot"] = {{"innerConeAngle", c.inner}, {"outerConeAngle", c.outer}};
-        const LoadedScene loaded = load(fileWith(light));
+        const LoadedScene loaded = load(fileWithLamp(light));
         const SpotLight& spot = loaded.scene.spotLights.at(0);
         EXPECT_EQ(spot.innerConeAngle, c.drawnInner) << c.inner << " " << c.outer;
         EXPECT_EQ(spot.outerConeAngle, c.drawnOuter) << c.inner << " " << c.outer;
@@ -218,7 +219,7 @@ TEST(LampTest, OtherValuesAreMended) {
     json light = spotLight();
     light.update({{"intensity", -5}, {"range", 0}, {"color", {1, 1}}});
     light.erase("spot");
-    const LoadedScene loaded = load(fileWith(light));
+    const LoadedScene loaded = load(fileWithLamp(light));
     const SpotLight& spot = loaded.scene.spotLights.at(0);
     EXPECT_EQ(spot.intensityCandela, 0.0);
     EXPECT_TRUE(std::isinf(spot.rangeMetres));
@@ -233,7 +234,7 @@ TEST(LampTest, OtherValuesAreMended) {
 TEST(LampTest, FaultyLightCostsOnlyItsLamps) {
     for (const json& light :
          {json(nullptr), json("spot"), json{{"type", "laser"}}, json::object()}) {
-        GltfFile file = fileWith(spotLight());
+        GltfFile file = fileWithLamp(spotLight());
         file.json["extensions"]["KHR_lights_punctual"]["lights"].push_back(light);
         file.addNode({{"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
         const LoadedScene loaded = load(file);
@@ -241,7 +242,7 @@ TEST(LampTest, FaultyLightCostsOnlyItsLamps) {
         expectLine(loaded, Report::Kind::kIgnored, "/nodes/2/extensions/KHR_lights_punctual/light",
                    "light 1");
     }
-    GltfFile file = fileWith(spotLight());
+    GltfFile file = fileWithLamp(spotLight());
     file.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 5;
     const LoadedScene loaded = load(file);
     EXPECT_TRUE(loaded.scene.spotLights.empty());

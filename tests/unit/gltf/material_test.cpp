@@ -18,7 +18,7 @@ std::string pngUri() {
 }
 
 // A triangle with both sets of texture coordinates, the material and one texture.
-GltfFile fileWith(const json& material) {
+GltfFile fileWithMaterial(const json& material) {
     GltfFile file = triangleFile();
     json& primitive = file.json["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_0"] = primitive["attributes"]["TEXCOORD_1"] =
@@ -30,7 +30,7 @@ GltfFile fileWith(const json& material) {
 }
 
 Material materialOf(const json& material) {
-    return load(fileWith(material)).scene.materials.at(0);
+    return load(fileWithMaterial(material)).scene.materials.at(0);
 }
 
 TEST(MaterialTest, DefaultsAreTheSpecifications) {
@@ -74,7 +74,7 @@ TEST(MaterialTest, FactorsAndModes) {
 
 TEST(MaterialTest, AllFiveTexturesAndTheirScales) {
     const json slot = {{"index", 0}, {"texCoord", 1}};
-    const LoadedScene loaded = load(fileWith(
+    const LoadedScene loaded = load(fileWithMaterial(
         {{"pbrMetallicRoughness", {{"baseColorTexture", slot}, {"metallicRoughnessTexture", slot}}},
          {"normalTexture", {{"index", 0}, {"scale", -0.5}}},
          {"occlusionTexture", {{"index", 0}, {"strength", 0.25}}},
@@ -114,7 +114,7 @@ TEST(MaterialTest, TextureTransform) {
 
 TEST(MaterialTest, Samplers) {
     const auto samplerOf = [](const json& sampler) {
-        GltfFile file = fileWith({{"emissiveTexture", {{"index", 0}}}});
+        GltfFile file = fileWithMaterial({{"emissiveTexture", {{"index", 0}}}});
         file.push("samplers", sampler);
         file.json["textures"][0]["sampler"] = 0;
         return load(file).scene.textures.at(0).sampler;
@@ -137,7 +137,7 @@ TEST(MaterialTest, Samplers) {
 }
 
 TEST(MaterialTest, OnlyDrawnMaterialsAreKept) {
-    GltfFile file = fileWith({{"name", "drawn"}});
+    GltfFile file = fileWithMaterial({{"name", "drawn"}});
     file.push("materials", {{"name", "unused"}, {"emissiveTexture", {{"index", 0}}}});
     const LoadedScene loaded = load(file);
     ASSERT_EQ(loaded.scene.materials.size(), 1U);
@@ -146,7 +146,7 @@ TEST(MaterialTest, OnlyDrawnMaterialsAreKept) {
 }
 
 TEST(MaterialTest, FactorsOutOfRangeAreClampedAndTold) {
-    const LoadedScene loaded = load(fileWith(
+    const LoadedScene loaded = load(fileWithMaterial(
         {{"pbrMetallicRoughness", {{"roughnessFactor", 1.5}, {"baseColorFactor", {1, 1, 1, 2}}}},
          {"emissiveFactor", "bright"},
          {"alphaMode", "GLASS"}}));
@@ -160,9 +160,9 @@ TEST(MaterialTest, FactorsOutOfRangeAreClampedAndTold) {
 }
 
 TEST(MaterialTest, TexturesThatCannotBeDrawnAreLeftOut) {
-    GltfFile file = fileWith({{"normalTexture", {{"index", 7}}},
-                              {"occlusionTexture", {{"index", 0}, {"texCoord", 2}}},
-                              {"emissiveTexture", {{"index", 1}}}});
+    GltfFile file = fileWithMaterial({{"normalTexture", {{"index", 7}}},
+                                      {"occlusionTexture", {{"index", 0}, {"texCoord", 2}}},
+                                      {"emissiveTexture", {{"index", 1}}}});
     file.push("textures", json::object());
     const LoadedScene loaded = load(file);
     const Material& material = loaded.scene.materials[0];
@@ -174,7 +174,7 @@ TEST(MaterialTest, TexturesThatCannotBeDrawnAreLeftOut) {
 }
 
 TEST(MaterialTest, TextureWithoutCoordinatesIsTold) {
-    GltfFile file = fileWith({{"emissiveTexture", {{"index", 0}}}});
+    GltfFile file = fileWithMaterial({{"emissiveTexture", {{"index", 0}}}});
     file.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
     expectLine(load(file), Report::Kind::kHint, "/meshes/0", "lacks TEXCOORD_0");
 }

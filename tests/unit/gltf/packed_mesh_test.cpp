@@ -21,11 +21,6 @@ using gltf::MeshoptLayout;
 using nlohmann::json;
 
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
-constexpr int kByte = 5120;
-constexpr int kShort = 5122;
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kFloat = 5126;
 
 // A ring with waves, no two vertices closer than some 0.04 m, within -1.5..1.5.
 struct Ring {

@@ -21,7 +21,7 @@ using test::makePng;
 
 const Place kPlace{"stage.gltf", "/images/3"};
 
-std::vector<std::byte> dataFile(const std::string& name) {
+std::vector<std::byte> readDataFile(const std::string& name) {
     return readFile(std::string(RIBALTA_SOURCE_DIR "/tests/unit/image/data/") + name);
 }
 
@@ -56,7 +56,7 @@ TEST(RefuseImage, OnlyAMagicNumber) {
 class RefuseTruncated : public testing::TestWithParam<const char*> {};
 
 TEST_P(RefuseTruncated, AtAnyLength) {
-    const std::vector<std::byte> whole = dataFile(GetParam());
+    const std::vector<std::byte> whole = readDataFile(GetParam());
     ASSERT_NO_THROW(decodeImage(whole, kPlace));
     const std::size_t steps = std::min<std::size_t>(whole.size() - 1, 40);
     for (std::size_t i = 1; i < steps; ++i) {
@@ -101,15 +101,16 @@ TEST(RefuseImage, OverTheLimits) {
     expectRefused(many, {"20000 x 20000", "268435456 in all", "scale it down"});
     const ImageLimits small{.maxSide = 3, .maxPixels = 1000};
     for (const char* name : {"alpha.webp", "alpha16.tif", "colour.jpg"}) {
-        expectRefused(dataFile(name), {"limit of 3 a side"}, small);
+        expectRefused(readDataFile(name), {"limit of 3 a side"}, small);
     }
     // The stored pixels are within the limits here, the display window is not.
-    expectRefused(dataFile("window.exr"), {"4 x 3"}, small);
+    expectRefused(readDataFile("window.exr"), {"4 x 3"}, small);
 }
 
 TEST(RefuseImage, AtTheLimitIsFine) {
-    EXPECT_NO_THROW(decodeImage(dataFile("alpha.webp"), kPlace, {.maxSide = 4, .maxPixels = 16}));
-    expectRefused(dataFile("alpha.webp"), {"4 x 4"}, {.maxSide = 4, .maxPixels = 15});
+    EXPECT_NO_THROW(
+        decodeImage(readDataFile("alpha.webp"), kPlace, {.maxSide = 4, .maxPixels = 16}));
+    expectRefused(readDataFile("alpha.webp"), {"4 x 4"}, {.maxSide = 4, .maxPixels = 15});
 }
 
 TEST(ReadFloatImage, NamesTheFile) {

@@ -1,10 +1,11 @@
 // The surface model by its laws: reciprocity, conservation of energy, Lambert's limit, no
 // infinities.
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
+#include "directions.h"
 #include "optics/shader_lib.h"
 #include "quadrature.h"
 #include "shader_lib_float.h"
@@ -12,12 +13,7 @@
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-glm::dvec3 direction(double cosine, double azimuth) {
-    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-    return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
-}
+using test::direction;
 
 struct Surface {
     glm::dvec3 baseColor{1.0};

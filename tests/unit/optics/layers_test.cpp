@@ -1,25 +1,22 @@
 // Surfaces of several layers by their laws: without layers the plain model, no light out of
 // nothing, reciprocity where it holds, fibres as their table says.
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
+#include "directions.h"
 #include "optics/shader_lib.h"
 #include "quadrature.h"
 
 namespace ribalta {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using test::direction;
+
 const glm::dvec3 kNormal(0.0, 0.0, 1.0);
 const glm::dvec3 kTangent(1.0, 0.0, 0.0);
 const glm::dvec3 kBitangent(0.0, 1.0, 0.0);
-
-glm::dvec3 direction(double cosine, double azimuth) {
-    const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
-    return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
-}
 
 shader::LayeredSurface plain(const glm::dvec3& color, double metallic, double roughness) {
     return {color,

@@ -2,14 +2,13 @@
 #include "reference/closed_forms.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
+
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Simpson's rule with many steps.
 template <typename Function>

@@ -1,16 +1,14 @@
 // A furnace for single scattering: what a beam loses to thin haze is what all eyes together get.
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "reference/integrate_beams.h"
 
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Lumens that a cone lamp of one candela with inner angle 0 loses per unit of scattering
 /// coefficient, between the lens plane and its range: the integral of falloff and window over

@@ -4,18 +4,16 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "reference/closed_forms.h"
 #include "reference/light_map_texture.h"
 
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// A lamp at the origin that shines along -Z evenly in all of its square beam.
 SpotLight evenLamp() {

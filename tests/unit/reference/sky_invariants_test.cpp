@@ -1,10 +1,10 @@
 // The sky's reference by what must be so: closed forms, symmetry and energy.
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "optics/shader_lib.h"
 #include "reference/integrate_sky.h"
 #include "sky/optical_length.h"
@@ -13,8 +13,6 @@
 
 namespace ribalta {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double relativeTo(const glm::dvec3& right, const glm::dvec3& got) {
     double worst = 0.0;

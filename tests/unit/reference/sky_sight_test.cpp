@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "image/write_image.h"
 #include "reference/integrate_sky.h"
 #include "reference/reference_file.h"
@@ -20,8 +21,6 @@
 
 namespace ribalta {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 SkyOverScene skyAt(double elevation, const SkyOrders& orders) {
     SkyOverScene sky;

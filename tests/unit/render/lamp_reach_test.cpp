@@ -3,17 +3,15 @@
 #include "render/lamp_reach.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "random_beams.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// A box of random sides that holds the point somewhere.
 Bounds boxAround(RandomBeams& random, const glm::dvec3& point) {

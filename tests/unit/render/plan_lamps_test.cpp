@@ -14,7 +14,7 @@
 namespace ribalta::test {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// A wall across the view and a camera before it; one lamp is put somewhere.
 class Reasons : public testing::Test {
@@ -152,7 +152,7 @@ TEST_F(Reasons, ABlackRimLeavesTilesAndCastersOut) {
 /// What a ray of the camera meets first, by every triangle of the scene: metres along it.
 double firstSurface(const Scene& scene, const glm::dvec3& origin, const glm::dvec3& direction,
                     double nearest) {
-    double first = kEndless;
+    double first = kNowhere;
     for (const Node& node : scene.nodes) {
         const Primitive& primitive = scene.meshes[std::size_t(node.mesh)].primitives[0];
         const Material& material = scene.materials[std::size_t(primitive.material)];

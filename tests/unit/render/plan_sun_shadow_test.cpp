@@ -6,13 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "render/frame_plan.h"
 #include "support/stage.h"
 
 namespace ribalta::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 glm::dvec3 sunAt(double elevation, double around = 0.7) {
     return {std::cos(elevation * kDegree) * std::cos(around), std::sin(elevation * kDegree),

@@ -1,11 +1,11 @@
 // Values between keys against closed forms and numbers found by hand, and scenes that are posed.
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "scene/scene.h"
 
 namespace ribalta {
@@ -13,8 +13,6 @@ namespace {
 
 using Interpolation = AnimationSampler::Interpolation;
 using Part = AnimationChannel::Part;
-
-constexpr double kPi = std::numbers::pi;
 
 AnimationSampler sampler(Interpolation interpolation, std::vector<float> seconds,
                          std::vector<glm::vec4> values) {

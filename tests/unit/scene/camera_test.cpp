@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
+#include "support/expect_near.h"
+
 namespace ribalta {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using test::expectNear;
 
 /// Normalised device coordinates of a world point: x and y in -1..1, depth in 0..1.
 glm::dvec3 project(const Camera& camera, const glm::dvec3& point, int width = 200,
@@ -30,11 +33,6 @@ Camera orthographic(double near, double far) {
     Camera camera = perspective(near, far);
     camera.lens = OrthographicLens{4.0, 2.0};
     return camera;
-}
-
-void expectNear(const glm::dvec3& actual, const glm::dvec3& expected) {
-    EXPECT_NEAR(glm::length(actual - expected), 0.0, 1e-9)
-        << actual.x << ' ' << actual.y << ' ' << actual.z;
 }
 
 TEST(ClipFromWorld, DepthIsOneAtNearAndZeroAtFar) {

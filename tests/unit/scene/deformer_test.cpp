@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/scene.h"
+#include "support/expect_near.h"
 
 namespace ribalta {
 namespace {
@@ -98,10 +99,9 @@ glm::dmat4 scaledBy(const glm::dvec3& scale) {
     return pose.parentFromLocal();
 }
 
-void expectNear(const glm::dvec3& found, const glm::dvec3& expected, double tolerance = 1e-6) {
-    EXPECT_NEAR(found.x, expected.x, tolerance);
-    EXPECT_NEAR(found.y, expected.y, tolerance);
-    EXPECT_NEAR(found.z, expected.z, tolerance);
+// Vertices are in single precision.
+void expectNearly(const glm::dvec3& found, const glm::dvec3& expected, double tolerance = 2e-6) {
+    test::expectNear(found, expected, tolerance);
 }
 
 TEST(DeformerTest, OneBoneTurnedByAQuarter) {
@@ -111,11 +111,11 @@ TEST(DeformerTest, OneBoneTurnedByAQuarter) {
     puppet.hang({{0, 1.0F}});
     puppet.joint(0) = turnedAboutZ(90);
     const DeformedVertices vertices = puppet.deformed();
-    expectNear(puppet.inWorld(vertices.positions[0]), {-1, 0, 0});
-    expectNear(puppet.inWorld(vertices.positions[1]), {0, 2, 3});
-    expectNear(glm::dvec3(vertices.normals[0]), {-1, 0, 0});
-    expectNear(glm::dvec3(vertices.normals[1]), {0, 1, 0});
-    expectNear(glm::dvec3(vertices.tangents[0]), {0, 1, 0});
+    expectNearly(puppet.inWorld(vertices.positions[0]), {-1, 0, 0});
+    expectNearly(puppet.inWorld(vertices.positions[1]), {0, 2, 3});
+    expectNearly(glm::dvec3(vertices.normals[0]), {-1, 0, 0});
+    expectNearly(glm::dvec3(vertices.normals[1]), {0, 1, 0});
+    expectNearly(glm::dvec3(vertices.tangents[0]), {0, 1, 0});
     EXPECT_EQ(vertices.tangents[1].w, -1.0F);
 }
 
@@ -125,7 +125,7 @@ TEST(DeformerTest, TwoBonesHalfAndHalf) {
     puppet.joint(0) = movedBy({0, 4, 0});
     puppet.joint(1) = turnedAboutZ(90) * movedBy({0, 0, 2});
     // Half way between (1, 4, 0) and (0, 1, 2).
-    expectNear(puppet.inWorld(puppet.deformed().positions[0]), {0.5, 2.5, 1.0});
+    expectNearly(puppet.inWorld(puppet.deformed().positions[0]), {0.5, 2.5, 1.0});
 }
 
 TEST(DeformerTest, BindPoseIsTheMeshItself) {
@@ -140,10 +140,10 @@ TEST(DeformerTest, BindPoseIsTheMeshItself) {
     }
     const DeformedVertices vertices = puppet.deformed();
     for (std::size_t v = 0; v < 2; ++v) {
-        expectNear(puppet.inWorld(vertices.positions[v]),
-                   glm::dvec3(puppet.primitive().positions[v]), 1e-5);
-        expectNear(glm::dvec3(vertices.normals[v]), glm::dvec3(puppet.primitive().normals[v]),
-                   1e-5);
+        expectNearly(puppet.inWorld(vertices.positions[v]),
+                     glm::dvec3(puppet.primitive().positions[v]), 1e-5);
+        expectNearly(glm::dvec3(vertices.normals[v]), glm::dvec3(puppet.primitive().normals[v]),
+                     1e-5);
     }
 }
 
@@ -153,7 +153,7 @@ TEST(DeformerTest, TargetsAddUp) {
     puppet.morph({{2, 0, 0}}, 0.25F);
     puppet.morph({{0, -4, 8}}, 1.5F);
     puppet.morph({{100, 100, 100}}, 0.0F);
-    expectNear(glm::dvec3(puppet.deformed().positions[0]), {1.5, -5, 13});
+    expectNearly(glm::dvec3(puppet.deformed().positions[0]), {1.5, -5, 13});
 }
 
 TEST(DeformerTest, MorphedThenSkinned) {
@@ -161,7 +161,7 @@ TEST(DeformerTest, MorphedThenSkinned) {
     puppet.hang({{0, 1.0F}});
     puppet.morph({{1, 0, 0}}, 1.0F);
     puppet.joint(0) = turnedAboutZ(90);
-    expectNear(puppet.inWorld(puppet.deformed().positions[0]), {0, 2, 0});
+    expectNearly(puppet.inWorld(puppet.deformed().positions[0]), {0, 2, 0});
 }
 
 // A slope of 45 degrees, stretched twice as high, is steeper; its normal leans the other way.
@@ -173,18 +173,19 @@ TEST(DeformerTest, NormalsStandOnStretchedSurfaces) {
     puppet.hang({{0, 1.0F}});
     puppet.joint(0) = scaledBy({1, 2, 1});
     const DeformedVertices vertices = puppet.deformed();
-    expectNear(glm::dvec3(vertices.normals[0]), glm::dvec3(2, 1, 0) / std::sqrt(5.0));
+    expectNearly(glm::dvec3(vertices.normals[0]), glm::dvec3(2, 1, 0) / std::sqrt(5.0));
     const glm::vec4& t = vertices.tangents[0];
-    expectNear(glm::dvec3(t.x, t.y, t.z), glm::dvec3(1, -2, 0) / std::sqrt(5.0));
+    expectNearly(glm::dvec3(t.x, t.y, t.z), glm::dvec3(1, -2, 0) / std::sqrt(5.0));
     // However small or large.
     for (const double size : {1e-18, 1e-7, 1e8}) {
         puppet.joint(0) = scaledBy(size * glm::dvec3(1, 2, 1));
-        expectNear(glm::dvec3(puppet.deformed().normals[0]), glm::dvec3(2, 1, 0) / std::sqrt(5.0));
+        expectNearly(glm::dvec3(puppet.deformed().normals[0]),
+                     glm::dvec3(2, 1, 0) / std::sqrt(5.0));
     }
     // Of a flattened bone, the direction in which it has no thickness is left.
     puppet.joint(0) = scaledBy({1, 1, 0});
     puppet.primitive().normals = {{0.6F, 0, 0.8F}};
-    expectNear(glm::dvec3(puppet.deformed().normals[0]), {0, 0, 1});
+    expectNearly(glm::dvec3(puppet.deformed().normals[0]), {0, 0, 1});
 }
 
 // A skeleton in a mirror turns front faces to the back, which the node's matrix says.
@@ -195,16 +196,16 @@ TEST(DeformerTest, MirroredSkeletonsAreMirroredByTheirNode) {
     puppet.joint(0) = movedBy({5, 0, 0}) * scaledBy({1, 1, -1});
     const DeformedVertices vertices = puppet.deformed();
     EXPECT_LT(glm::determinant(glm::dmat3(puppet.worldFromLocal())), 0.0);
-    expectNear(puppet.inWorld(vertices.positions[0]), {6, 2, -3});
+    expectNearly(puppet.inWorld(vertices.positions[0]), {6, 2, -3});
     const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(puppet.worldFromLocal())));
-    expectNear(normals * glm::dvec3(vertices.normals[0]), {0, 0, -1});
+    expectNearly(normals * glm::dvec3(vertices.normals[0]), {0, 0, -1});
 }
 
 TEST(DeformerTest, FarFromTheOriginNothingIsLost) {
     Puppet puppet({{0.001F, 0, 0}});
     puppet.hang({{0, 1.0F}});
     puppet.joint(0) = movedBy({1e6, 0, 0});
-    expectNear(puppet.inWorld(puppet.deformed().positions[0]), {1e6 + 0.001, 0, 0}, 1e-9);
+    expectNearly(puppet.inWorld(puppet.deformed().positions[0]), {1e6 + 0.001, 0, 0}, 1e-9);
 }
 
 TEST(DeformerTest, FlatNormalsFollowTheirTriangles) {
@@ -214,7 +215,7 @@ TEST(DeformerTest, FlatNormalsFollowTheirTriangles) {
     puppet.primitive().normals.assign(3, {0, 0, 1});
     puppet.morph({{0, 0, 0}, {0, 0, 0}, {0, 0, 1}}, 1.0F);
     for (const glm::vec3& normal : puppet.deformed().normals) {
-        expectNear(glm::dvec3(normal), glm::dvec3(0, -1, 1) / std::sqrt(2.0));
+        expectNearly(glm::dvec3(normal), glm::dvec3(0, -1, 1) / std::sqrt(2.0));
     }
 }
 
@@ -252,8 +253,8 @@ TEST(DeformerTest, BoundsHoldWhatIsThere) {
         EXPECT_TRUE(glm::all(glm::lessThanEqual(p, box.high + 1e-6)));
         tight.add(puppet.inWorld(position));
     }
-    expectNear(tightSceneBounds(puppet.scene).low, tight.low);
-    expectNear(tightSceneBounds(puppet.scene).high, tight.high);
+    expectNearly(tightSceneBounds(puppet.scene).low, tight.low);
+    expectNearly(tightSceneBounds(puppet.scene).high, tight.high);
     EXPECT_TRUE(glm::all(glm::lessThanEqual(sceneBounds(puppet.scene).low, tight.low + 1e-6)));
 }
 

@@ -8,13 +8,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include "support/expect_near.h"
+
 namespace ribalta {
 namespace {
 
-void expectNear(const glm::dvec3& actual, const glm::dvec3& expected) {
-    EXPECT_NEAR(glm::length(actual - expected), 0.0, 1e-9)
-        << actual.x << ' ' << actual.y << ' ' << actual.z;
-}
+using test::expectNear;
 
 void expectRotation(const glm::dmat3& matrix) {
     const glm::dmat3 product = glm::transpose(matrix) * matrix;

@@ -2,10 +2,10 @@
 #include "sky/sky_tables.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "optics/shader_lib.h"
 #include "reference/integrate_sky.h"
 #include "sky/sky_air.h"
@@ -13,8 +13,6 @@
 
 namespace ribalta {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 const SkyTables& fourOrders() {
     static const SkyTables tables(Atmosphere{}, {4, false});

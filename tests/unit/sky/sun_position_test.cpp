@@ -2,14 +2,13 @@
 #include "sky/sun_position.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
+
 namespace ribalta::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 double dayAt(int year, int month, int day, double hours) {
     return julianDay(year, month, day + hours / 24.0);

@@ -11,7 +11,7 @@ namespace ribalta {
 namespace {
 
 constexpr double kTiny = 1e-9;
-constexpr glm::ivec2 kSize(640, 360);
+constexpr glm::ivec2 kWindowSize(640, 360);
 
 Bounds box() {
     Bounds bounds;
@@ -28,8 +28,9 @@ Viewpoint someView() {
 
 // Where a point is seen, in pixels from the upper left.
 glm::dvec2 seen(const Camera& camera, const glm::dvec3& point) {
-    const glm::dvec4 clip = clipFromWorld(camera, kSize.x, kSize.y) * glm::dvec4(point, 1.0);
-    return 0.5 * glm::dvec2(kSize) * (1.0 + glm::dvec2(clip.x, -clip.y) / clip.w);
+    const glm::dvec4 clip =
+        clipFromWorld(camera, kWindowSize.x, kWindowSize.y) * glm::dvec4(point, 1.0);
+    return 0.5 * glm::dvec2(kWindowSize) * (1.0 + glm::dvec2(clip.x, -clip.y) / clip.w);
 }
 
 void expectLevel(const Viewpoint& view) {
@@ -97,7 +98,7 @@ TEST(Pan, WhatLiesAtThePivotFollowsThePointer) {
     Viewpoint view = someView();
     const glm::dvec3 pivot = view.pivot;
     const glm::dvec2 before = seen(view.camera, pivot);
-    pan(view, {37.0, -21.0}, kSize);
+    pan(view, {37.0, -21.0}, kWindowSize);
     const glm::dvec2 after = seen(view.camera, pivot);
     EXPECT_NEAR(after.x - before.x, 37.0, 1e-6);
     EXPECT_NEAR(after.y - before.y, -21.0, 1e-6);
@@ -107,7 +108,7 @@ TEST(Pan, WhatLiesAtThePivotFollowsThePointer) {
     flat.camera.farMetres = 100.0;
     const glm::dvec2 flatBefore = seen(flat.camera, flat.pivot);
     const glm::dvec3 flatPivot = flat.pivot;
-    pan(flat, {10.0, 5.0}, kSize);
+    pan(flat, {10.0, 5.0}, kWindowSize);
     EXPECT_NEAR(seen(flat.camera, flatPivot).x - flatBefore.x, 10.0, 1e-6);
     EXPECT_NEAR(seen(flat.camera, flatPivot).y - flatBefore.y, 5.0, 1e-6);
     pan(flat, {10.0, 5.0}, {0, 0});  // a window without pixels
@@ -142,10 +143,11 @@ TEST(FrameBounds, AllOfItIsInView) {
             view.camera.lens = OrthographicLens{0.1, 0.1};
             view.camera.farMetres = 1.0;
         }
-        frame(view, box(), double(kSize.x) / kSize.y);
+        frame(view, box(), double(kWindowSize.x) / kWindowSize.y);
         for (int corner = 0; corner < 8; ++corner) {
             const glm::dvec2 at = seen(view.camera, box().corner(corner));
-            EXPECT_TRUE(at.x >= 0.0 && at.y >= 0.0 && at.x <= kSize.x && at.y <= kSize.y)
+            EXPECT_TRUE(at.x >= 0.0 && at.y >= 0.0 && at.x <= kWindowSize.x &&
+                        at.y <= kWindowSize.y)
                 << corner << ": " << at.x << ", " << at.y;
         }
         expectLevel(view);
