@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "gltf/tally.h"
+
 namespace ribalta::gltf {
 namespace {
 
@@ -149,14 +151,23 @@ void dropUnusedVertices(Primitive& primitive) {
     }
 }
 
+// What eight bits a coordinate may do to a unit vector's length, and room.
+constexpr float kLengthTolerance = 0.02F;
+
 // Normals and tangents of unit length; those that have no direction get a stand-in.
 void normalise(Primitive& primitive, const Place& place, Report& report) {
     std::size_t broken = 0;
+    std::size_t longOrShort = 0;
     for (glm::vec3& normal : primitive.normals) {
         const float length = glm::length(normal);
         const bool usable = std::isfinite(length) && length > 1e-20F;
         normal = usable ? normal / length : glm::vec3(0.0F, 1.0F, 0.0F);
         broken += usable ? 0 : 1;
+        longOrShort += usable && std::abs(length - 1.0F) > kLengthTolerance ? 1 : 0;
+    }
+    if (longOrShort > 0) {
+        report.repaired(place.at("attributes").at("NORMAL"),
+                        counted(longOrShort, "normals") + " not of unit length; made so");
     }
     if (broken > 0) {
         report.repaired(place.at("attributes").at("NORMAL"),

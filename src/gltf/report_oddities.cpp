@@ -87,7 +87,7 @@ void tallyUnfit(const Import& import, const Used& used, Tally& tally) {
         const tinygltf::Accessor& accessor = model.accessors[i];
         const Where here(accessors, i);
         if (accessor.bufferView < 0) {
-            if (accessor.byteOffset != 0) {
+            if (element(import.json, "accessors", i).contains("byteOffset")) {
                 tally.add("has a byteOffset but no bufferView", here);
             }
             continue;

@@ -1,5 +1,6 @@
 #include "gltf/report_unread.h"
 
+#include <set>
 #include <string>
 
 #include "gltf/check_extensions.h"
@@ -11,12 +12,18 @@ namespace {
 
 using nlohmann::json;
 
+struct ExtensionTallies {
+    Tally unsupported;
+    Tally undeclared;
+    std::set<std::string> declared;
+};
+
 // JSON is nested at most kMaxNesting deep, so recursion is.
-void tallyExtensions(const json& value, const Where& where, Tally& tally) {
+void tallyExtensions(const json& value, const Where& where, ExtensionTallies& tallies) {
     if (value.is_array()) {
         for (std::size_t i = 0; i < value.size(); ++i) {
             if (value[i].is_structured()) {
-                tallyExtensions(value[i], Where(where, i), tally);
+                tallyExtensions(value[i], Where(where, i), tallies);
             }
         }
         return;
@@ -29,12 +36,24 @@ void tallyExtensions(const json& value, const Where& where, Tally& tally) {
         if (key == "extensions" && child.is_object()) {
             for (const auto& [name, content] : child.items()) {
                 if (!isSupported(name)) {
-                    tally.add(name, Where(here, name));
+                    tallies.unsupported.add(name, Where(here, name));
+                } else if (!tallies.declared.contains(name)) {
+                    tallies.undeclared.add(name, Where(here, name));
                 }
             }
         }
-        tallyExtensions(child, here, tally);
+        tallyExtensions(child, here, tallies);
     }
+}
+
+std::set<std::string> namesIn(const json& list) {
+    std::set<std::string> names;
+    for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
+        if (list[i].is_string()) {
+            names.insert(list[i].get<std::string>());
+        }
+    }
+    return names;
 }
 
 bool isRead(const std::string& attribute) {
@@ -70,9 +89,17 @@ void reportUnread(const Import& import, Report& report) {
     Tally attributes;
     tallyPrimitives(import.json, root, attributes);
     attributes.tell(Report::Kind::kIgnored, " is not drawn", report);
-    Tally extensions;
+    ExtensionTallies extensions;
+    extensions.declared = namesIn(member(import.json, "extensionsUsed"));
+    for (const std::string& name : namesIn(member(import.json, "extensionsRequired"))) {
+        if (!extensions.declared.contains(name)) {
+            extensions.undeclared.add(name, Where(root, "extensionsRequired"));
+        }
+    }
     tallyExtensions(import.json, root, extensions);
-    extensions.tell(Report::Kind::kIgnored, " is not supported and left out", report);
+    extensions.unsupported.tell(Report::Kind::kIgnored, " is not supported and left out", report);
+    extensions.undeclared.tell(Report::Kind::kHint,
+                               " is missing in extensionsUsed; it is read all the same", report);
 }
 
 }  // namespace ribalta::gltf

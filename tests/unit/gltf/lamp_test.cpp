@@ -21,6 +21,7 @@ std::vector<std::byte> somePng() {
 // A triangle and a lamp on a node that has more members.
 GltfFile fileWithLamp(const json& light, const json& node = json::object()) {
     GltfFile file = triangleFile();
+    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
     json& lights = file.json["extensions"]["KHR_lights_punctual"]["lights"];
     lights.push_back(light);
     json whole = node;

@@ -318,6 +318,7 @@ TEST(PackedMeshTest, DracoIsTheModelWithinItsBits) {
                         {"NORMAL", promise(kFloat, "VEC3", count)},
                         {"TEXCOORD_0", promise(kFloat, "VEC2", count)}}},
                       {"indices", promise(kUnsignedInt, "SCALAR", ring.indices.size())}};
+    file.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
     primitive["extensions"]["KHR_draco_mesh_compression"] = {
         {"bufferView", file.addViewBytes(buffer.data(), buffer.size())},
         {"attributes", {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}}}};

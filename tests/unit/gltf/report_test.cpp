@@ -57,6 +57,30 @@ TEST(GltfReportTest, ExtensionsAreToldOnceEach) {
                "EXT_unheard_of");
 }
 
+TEST(GltfReportTest, ExtensionsThatAreNotDeclaredAreHints) {
+    GltfFile file = triangleFile();
+    file.push("materials", {{"extensions", {{"KHR_materials_unlit", json::object()}}}});
+    file.json["extensionsRequired"] = {"KHR_texture_transform"};
+    const LoadedScene loaded = load(file);
+    EXPECT_EQ(loaded.report.entries().size(), 2U) << reportText(loaded);
+    expectLine(loaded, Report::Kind::kHint, "/materials/0/extensions/KHR_materials_unlit",
+               "missing in extensionsUsed");
+    expectLine(loaded, Report::Kind::kHint, "/extensionsRequired", "KHR_texture_transform");
+}
+
+TEST(GltfReportTest, NormalsThatAreNotOfUnitLength) {
+    GltfFile file = triangleFile();
+    const std::vector<glm::vec3> normals = {{0, 1, 0}, {0, 1.01F, 0}, {1, 1, 0}};
+    file.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
+        file.addAccessor(normals, "VEC3", kFloat, 3);
+    const LoadedScene loaded = load(file);
+    expectLine(loaded, Report::Kind::kRepaired, "/meshes/0/primitives/0/attributes/NORMAL",
+               "1 normal not of unit");
+    for (const glm::vec3& normal : loaded.scene.meshes.at(0).primitives.at(0).normals) {
+        EXPECT_NEAR(glm::length(normal), 1.0F, 1e-6F);
+    }
+}
+
 TEST(GltfReportTest, UnknownCompressionWithFallbackDataIsDrawnFromIt) {
     GltfFile file = triangleFile();
     file.json["extensionsUsed"] = {"KHR_meshopt_compression"};
