@@ -11,6 +11,11 @@ const nlohmann::json& member(const nlohmann::json& object, const char* key) {
     return found == object.end() ? kNull : *found;
 }
 
+double numberOr(const nlohmann::json& object, const char* key, double otherwise) {
+    const nlohmann::json& value = member(object, key);
+    return value.is_number() ? value.get<double>() : otherwise;
+}
+
 const nlohmann::json& element(const nlohmann::json& json, const char* array, std::size_t index) {
     return member(json, array).at(index);
 }

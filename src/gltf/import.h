@@ -43,6 +43,9 @@ const nlohmann::json& element(const nlohmann::json& json, const char* array, std
 /// The member `key` of the object, or null where it has none.
 const nlohmann::json& member(const nlohmann::json& object, const char* key);
 
+/// The number `key` of the object, or else another.
+double numberOr(const nlohmann::json& object, const char* key, double otherwise);
+
 /// The object `extensions/name` of an object, or null.
 const nlohmann::json& extension(const nlohmann::json& object, const char* name);
 

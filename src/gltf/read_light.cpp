@@ -47,11 +47,6 @@ std::string nameOf(const Lamp& lamp, const std::string& otherwise) {
     return otherwise;
 }
 
-double numberOr(const json& object, const char* key, double otherwise) {
-    const json& value = member(object, key);
-    return value.is_number() ? value.get<double>() : otherwise;
-}
-
 glm::vec3 colorOf(const Lamp& lamp) {
     const json& color = member(lamp.light, "color");
     return color.is_null()

@@ -10,11 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-double numberOr(const json& object, const char* key, double otherwise) {
-    const json& value = member(object, key);
-    return value.is_number() ? value.get<double>() : otherwise;
-}
-
 Sampler readSampler(const tinygltf::Sampler& source) {
     Sampler sampler;
     const auto wrap = [](int mode) {

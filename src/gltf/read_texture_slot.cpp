@@ -8,11 +8,6 @@ namespace {
 
 using nlohmann::json;
 
-double numberOr(const json& object, const char* key, double otherwise) {
-    const json& value = member(object, key);
-    return value.is_number() ? value.get<double>() : otherwise;
-}
-
 bool readPair(const json& object, const char* key, glm::vec2& pair, const Place& place,
               Report& report) {
     const json& value = member(object, key);
