@@ -19,6 +19,7 @@ constexpr std::string_view kSupported[] = {
     "EXT_mesh_gpu_instancing",              // add_instances
     "EXT_meshopt_compression",              // read_packed_views
     "EXT_texture_webp",                     // read_images
+    "KHR_animation_pointer",                // animation_pointer
     "KHR_draco_mesh_compression",           // read_attributes
     "KHR_lights_punctual",                  // read_light
     "KHR_materials_anisotropy",             // read_layers

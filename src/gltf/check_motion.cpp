@@ -53,7 +53,8 @@ std::optional<std::size_t> movesOutOfBounds(const Scene& scene, const std::vecto
     }
     for (const Animation& animation : scene.animations) {
         for (const AnimationChannel& channel : animation.channels) {
-            if (channel.part == AnimationChannel::Part::kWeights) {
+            if (channel.part == AnimationChannel::Part::kWeights ||
+                channel.part == AnimationChannel::Part::kDial) {
                 continue;
             }
             Reach& reach = local[std::size_t(scene.movers[std::size_t(channel.mover)].node)];

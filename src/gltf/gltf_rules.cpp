@@ -1,6 +1,8 @@
 // The rules of glTF 2.0 (section 5) and KHR_lights_punctual for what the import reads, as tables.
 #include "base/angles.h"
 #include "gltf/json_rules.h"
+#include "scene/light.h"
+#include "scene/material.h"
 
 namespace ribalta::gltf {
 namespace {
@@ -8,11 +10,8 @@ namespace {
 using Is = JsonRule::Is;
 using On = JsonRule::OnFault;
 
-// Brighter than any lamp by far, and products with it still fit single precision.
-constexpr double kMaxIntensity = 1e12;
 // tinygltf holds the sizes of sparse accessors in this.
 constexpr double kMaxInt = 2147483647;
-constexpr double kMaxEmission = 1e12;
 
 const JsonRule kName{.key = "name", .is = Is::kString, .onFault = On::kRepair};
 
@@ -294,13 +293,13 @@ const JsonRule kLightRules[] = {
      .is = Is::kNumbers,
      .onFault = On::kRepair,
      .low = 0,
-     .high = 1e6,
+     .high = kMaxLampColor,
      .length = 3},
     {.key = "intensity",
      .is = Is::kNumber,
      .onFault = On::kRepair,
      .low = 0,
-     .high = kMaxIntensity},
+     .high = kMaxLampIntensity},
     {.key = "range", .is = Is::kNumber, .onFault = On::kRepair},
     {.key = "spot", .is = Is::kObject, .onFault = On::kRepair, .members = kSpotRules},
 };

@@ -11,6 +11,7 @@
 #include "base/parse_json.h"
 #include "base/read_file.h"
 #include "gltf/add_instances.h"
+#include "gltf/bind_dials.h"
 #include "gltf/check_extensions.h"
 #include "gltf/check_json.h"
 #include "gltf/check_nodes.h"
@@ -112,8 +113,9 @@ std::vector<std::size_t> loadMeshes(const Import& import, Scene& scene, Report& 
 }
 
 // The materials that the meshes use, in the file's order; the primitives' indices become the
-// scene's.
-void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, Report& report) {
+// scene's. Returns by the file's index the scene's, -1 where no mesh uses it.
+std::vector<int> loadMaterials(const Import& import, TextureTable& textures, Scene& scene,
+                               Report& report) {
     std::vector<int> sceneMaterial(import.model.materials.size(), -1);
     const auto forEachUse = [&](const auto& body) {
         for (Mesh& mesh : scene.meshes) {
@@ -132,6 +134,7 @@ void loadMaterials(const Import& import, TextureTable& textures, Scene& scene, R
         }
     }
     forEachUse([&](int& material) { material = sceneMaterial[std::size_t(material)]; });
+    return sceneMaterial;
 }
 
 void takeDocument(const Import& import, std::string_view text) {
@@ -223,7 +226,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     watch.lap("buffers");
 
     readDeformers(import, list, scene, report);
-    readAnimations(import, list, scene, report);
+    const std::vector<DialSource> dials = readAnimations(import, list, scene, report);
     leaveOutVanished(list, scene.movers, import, report);
     addInstances(import, list, report);
     scene.nodes = std::move(list.nodes);
@@ -234,15 +237,20 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     watch.lap("meshes");
 
     TextureTable textures(import, images);
-    loadMaterials(import, textures, scene, report);
+    SceneUses uses;
+    uses.materials = loadMaterials(import, textures, scene, report);
     list.gltfNodes.resize(list.inScene);
     scene.cameras = readCameras(import, list.gltfNodes, report);
     IesLamps iesLamps(import);
+    uses.isPunctual.resize(list.inScene, 0);
     for (std::size_t i = 0; i < list.gltfNodes.size(); ++i) {
         if (!iesLamps.add(list.gltfNodes[i], int(i), images, scene, report)) {
+            uses.isPunctual[i] = 1;
             addLamp(import, list.gltfNodes[i], int(i), images, textures, scene, report);
         }
     }
+    uses.gltfNodes = std::move(list.gltfNodes);
+    bindDials(import, dials, uses, scene, report);
     scene.textures = textures.textures();
     scene.images = images.undecoded();
     loaded.files.assign(images.files().begin(), images.files().end());

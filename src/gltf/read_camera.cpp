@@ -14,8 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMaxFov = 3.1;  // radians, short of a half space
-
 // The value where it makes a picture, or else a stand-in that the report names.
 class Mender {
   public:
@@ -38,21 +36,23 @@ class Mender {
 void readPerspective(const json& source, const Mender& mend, Camera& camera) {
     PerspectiveLens lens;
     const double fov = numberOr(source, "yfov", lens.verticalFov);
-    lens.verticalFov =
-        mend.keepIf(fov > 1e-4 && fov <= kMaxFov, fov, "yfov", fov > kMaxFov ? kMaxFov : 0.8);
+    lens.verticalFov = mend.keepIf(fov > kMinVerticalFov && fov <= kMaxVerticalFov, fov, "yfov",
+                                   fov > kMaxVerticalFov ? kMaxVerticalFov : 0.8);
     if (source.contains("aspectRatio")) {
         const double aspect = numberOr(source, "aspectRatio", 1.0);
-        if (mend.keepIf(aspect > 1e-4 && aspect < 1e4, aspect, "aspectRatio", 0.0) > 0.0) {
+        if (mend.keepIf(aspect > 1.0 / kMaxAspectRatio && aspect < kMaxAspectRatio, aspect,
+                        "aspectRatio", 0.0) > 0.0) {
             lens.aspectRatio = aspect;
         }
     }
     camera.lens = lens;
     const double near = numberOr(source, "znear", 0.1);
-    camera.nearMetres = mend.keepIf(near >= 1e-9 && near < 1e30, near, "znear", 0.1);
+    camera.nearMetres =
+        mend.keepIf(near >= kMinNearMetres && near < kMaxCameraMetres, near, "znear", 0.1);
     if (source.contains("zfar")) {
         const double far = numberOr(source, "zfar", 0.0);
         const double unlimited = std::numeric_limits<double>::infinity();
-        camera.farMetres = far > camera.nearMetres && far < 1e30
+        camera.farMetres = far > camera.nearMetres && far < kMaxCameraMetres
                                ? far
                                : (mend.keepIf(false, far, "zfar", 0.0), unlimited);
     }
@@ -64,17 +64,17 @@ void readOrthographic(const json& source, const Mender& mend, Camera& camera) {
         const double value = numberOr(source, key, 1.0);
         // A negative magnification mirrors; glTF advises against it and none is drawn so.
         const double size = std::abs(value);
-        const bool usable = size > 1e-9 && size < 1e30;
+        const bool usable = size > kMinExtentMetres && size < kMaxCameraMetres;
         return mend.keepIf(usable && value > 0.0, value, key, usable ? size : 1.0);
     };
     lens.halfWidth = extent("xmag");
     lens.halfHeight = extent("ymag");
     camera.lens = lens;
     const double near = numberOr(source, "znear", 0.0);
-    camera.nearMetres = mend.keepIf(near >= 0.0 && near < 1e30, near, "znear", 0.0);
-    const double far = numberOr(source, "zfar", camera.nearMetres + 100.0);
-    camera.farMetres =
-        mend.keepIf(far > camera.nearMetres && far < 1e30, far, "zfar", camera.nearMetres + 100.0);
+    camera.nearMetres = mend.keepIf(near >= 0.0 && near < kMaxCameraMetres, near, "znear", 0.0);
+    const double far = numberOr(source, "zfar", camera.nearMetres + kUsualBoxDepth);
+    camera.farMetres = mend.keepIf(far > camera.nearMetres && far < kMaxCameraMetres, far, "zfar",
+                                   camera.nearMetres + kUsualBoxDepth);
 }
 
 Camera readCamera(const Import& import, std::size_t index, Report& report) {

@@ -45,10 +45,27 @@ std::string shown(double number) {
     return text;
 }
 
+double unitOf(const LoadOptions& options, Dial::Numbers numbers) {
+    switch (numbers) {
+        case Dial::Numbers::kIntensity:
+            return options.intensityScale;
+        case Dial::Numbers::kRange:
+        case Dial::Numbers::kDepth:
+        case Dial::Numbers::kBoxDepth:
+        case Dial::Numbers::kExtent:
+            return options.unitScale;
+        default:
+            return 1.0;  // angles, colours and what is on or off
+    }
+}
+
 }  // namespace
 
 void scaleUnits(const LoadOptions& options, Scene& scene) {
     scene.unitMetres = options.unitScale;
+    for (Dial& dial : scene.dials) {
+        dial.unit = unitOf(options, dial.numbers);
+    }
     for (Camera& camera : scene.cameras) {
         camera.nearMetres *= options.unitScale;
         camera.farMetres *= options.unitScale;
@@ -81,7 +98,11 @@ void hintAtUnits(const LoadOptions& options, const Place& file, const Scene& sce
                                   "metres; --unit-scale 0.01 would read it so");
         }
     }
-    if (options.intensityScale == 1.0 && lamps.size() >= kFewestForIntensity) {
+    // What they have at rest says nothing of lamps that are animated.
+    const bool areDialed =
+        std::any_of(scene.dials.begin(), scene.dials.end(),
+                    [](const Dial& dial) { return dial.numbers == Dial::Numbers::kIntensity; });
+    if (options.intensityScale == 1.0 && lamps.size() >= kFewestForIntensity && !areDialed) {
         double brightest = 0.0;
         for (const SpotLight& lamp : lamps) {
             brightest = std::max(brightest, lamp.intensityCandela);

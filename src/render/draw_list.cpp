@@ -25,8 +25,11 @@ std::vector<DrawItem> listDraws(const Scene& scene) {
 DrawPlace placeOf(const Scene& scene, const std::vector<DrawItem>& draws, int draw) {
     const DrawItem& item = draws[std::size_t(draw)];
     const int deformer = deformerOf(scene, item);
-    return {draw, scene.nodes[std::size_t(item.node)].worldFromLocal,
-            deformer < 0 ? 0 : scene.deformers[std::size_t(deformer)].shape};
+    const Material& material = materialOf(scene, item);
+    const bool isMasked = material.alphaMode == Material::AlphaMode::kMask;
+    return {item.node, item.primitive, scene.nodes[std::size_t(item.node)].worldFromLocal,
+            deformer < 0 ? 0 : scene.deformers[std::size_t(deformer)].shape,
+            isMasked ? material.baseColor.w : 1.0F};
 }
 
 int deformerOf(const Scene& scene, const DrawItem& item) {

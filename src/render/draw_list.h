@@ -19,9 +19,11 @@ struct DrawItem {
 
 /// Where an item stands and what shape it has: equal where it would be drawn alike.
 struct DrawPlace {
-    int draw = 0;  ///< into the draw list
+    int node = 0;  ///< into Scene::nodes: the list's own numbers change with what is shown
+    int primitive = 0;
     glm::dmat4 worldFromLocal{1.0};
     std::uint64_t shape = 0;  ///< of its deformer, 0: of its own
+    float alpha = 1.0F;       ///< of its material, where that decides what of it is there
 
     bool operator==(const DrawPlace&) const = default;
 };

@@ -255,12 +255,10 @@ void GpuScene::usePictures(const Scene& scene) {
 
 void GpuScene::uploadMaterials(const Scene& scene) {
     samplers_.clear();
-    hasTextures_.clear();
     layerIndices_.clear();
     for (const Texture& texture : scene.textures) {
         samplers_.emplace_back(makeSampler(texture.sampler));
     }
-    std::vector<gpu::SurfaceMaterial> materials;
     std::vector<gpu::SurfaceLayers> layers;
     const auto useAll = [&](const auto& slots) {
         for (const SlotUse& use : slots) {
@@ -270,12 +268,9 @@ void GpuScene::uploadMaterials(const Scene& scene) {
         }
     };
     for (const Material& material : scene.materials) {
-        materials.push_back(describeMaterial(scene, material));
-        hasTextures_.push_back(materials.back().flags.y != 0);
         useAll(slotsOf(material));
         layerIndices_.push_back(material.layers ? int(layers.size()) : -1);
         if (material.layers) {
-            materials.back().flags.w = layerIndices_.back();
             layers.push_back(describeLayers(scene, *material.layers));
             useAll(slotsOf(*material.layers));
         }
@@ -284,6 +279,19 @@ void GpuScene::uploadMaterials(const Scene& scene) {
         layers_.write("surface layers", bytesOf(layers));
     }
     layerIndices_.push_back(-1);
+    useMaterials(scene);
+}
+
+void GpuScene::useMaterials(const Scene& scene) {
+    std::vector<gpu::SurfaceMaterial> materials;
+    hasTextures_.clear();
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        materials.push_back(describeMaterial(scene, scene.materials[i]));
+        hasTextures_.push_back(materials.back().flags.y != 0);
+        if (scene.materials[i].layers) {
+            materials.back().flags.w = layerIndices_[i];
+        }
+    }
     defaultMaterial_ = int(materials.size());
     materials.push_back(describeMaterial(scene, Material{}));
     hasTextures_.push_back(false);

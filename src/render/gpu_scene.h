@@ -65,6 +65,9 @@ class GpuScene {
     /// drawn without them.
     void usePictures(const Scene& scene);
 
+    /// Uploads the numbers of materials that have changed since; their pictures and layers stay.
+    void useMaterials(const Scene& scene);
+
     /// Uploads those light maps of these spots, by index in the scene, that are not there yet, and
     /// lets go of those that no lamp of the scene has any more.
     void useLightMaps(const Scene& scene, const std::vector<int>& spots);

@@ -32,7 +32,10 @@ void clear(const FrameTargets& targets) {
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const FileCache* files)
-    : scene_(scene), files_(files), gpuScene_(scene) {}
+    : scene_(scene),
+      files_(files),
+      gpuScene_(scene),
+      uploadedMaterials_(materialNumbers(scene)) {}
 
 const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
     FrameInputs inputs = frameInputs(scene_, camera, settings);
@@ -60,6 +63,10 @@ const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& setti
     }
     timer_.begin("upload");
     gpuScene_.useLightMaps(scene_, plan_.spotsDrawn());
+    if (uploadedMaterials_ != inputs.materials) {
+        gpuScene_.useMaterials(scene_);
+        uploadedMaterials_ = inputs.materials;
+    }
     gpuFrame_.upload(scene_, plan_, gpuScene_, daylight);
 
     if (!plan_.shadowMapWork.empty()) {

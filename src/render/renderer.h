@@ -51,6 +51,7 @@ class Renderer {
     /// Uploads pictures that the scene has got since it was uploaded, and draws all anew.
     void usePictures() {
         gpuScene_.usePictures(scene_);
+        uploadedMaterials_ = materialNumbers(scene_);
         forget();
     }
     /// Draws the next frame and every one of its shadow maps anew.
@@ -81,6 +82,7 @@ class Renderer {
     LitRegions litRegions_;
     GpuScene gpuScene_;
     GpuFrame gpuFrame_;
+    std::vector<glm::dvec4> uploadedMaterials_;  ///< their animated numbers as they were
     FrameCache cache_;
     std::optional<FrameInputs> drawn_;  ///< what the picture that is there was drawn from
     FramePlan plan_;

@@ -83,28 +83,35 @@ glm::dvec4 normalizedKey(const AnimationSampler& sampler, std::size_t key) {
 void apply(const Animation& animation, double seconds, Scene& scene) {
     for (const AnimationChannel& channel : animation.channels) {
         const AnimationSampler& sampler = animation.samplers[std::size_t(channel.sampler)];
-        if (channel.part == AnimationChannel::Part::kWeights) {
-            sampleWeights(sampler, seconds, scene.deformers[std::size_t(channel.mover)].weights);
-            continue;
-        }
-        Pose& pose = scene.movers[std::size_t(channel.mover)].pose;
+        const auto mover = std::size_t(channel.mover);
         switch (channel.part) {
             case AnimationChannel::Part::kTranslation:
-                pose.translation = glm::dvec3(sampleVector(sampler, seconds));
+                scene.movers[mover].pose.translation = glm::dvec3(sampleVector(sampler, seconds));
                 break;
             case AnimationChannel::Part::kRotation:
-                pose.rotation = sampleRotation(sampler, seconds);
+                scene.movers[mover].pose.rotation = sampleRotation(sampler, seconds);
                 break;
             case AnimationChannel::Part::kScale:
-                pose.scale = glm::dvec3(sampleVector(sampler, seconds));
+                scene.movers[mover].pose.scale = glm::dvec3(sampleVector(sampler, seconds));
                 break;
             case AnimationChannel::Part::kWeights:
-                break;  // above
+                sampleWeights(sampler, seconds, scene.deformers[mover].weights);
+                break;
+            case AnimationChannel::Part::kDial: {
+                const glm::dvec4 value = sampleVector(sampler, seconds);
+                for (int c = 0; c < channel.count; ++c) {
+                    scene.dials[mover].now[channel.first + c] = value[c];
+                }
+                break;
+            }
         }
     }
 }
 
 void placeMovers(Scene& scene) {
+    for (const Dial& dial : scene.dials) {
+        bringTo(dial, scene);
+    }
     for (const Mover& mover : scene.movers) {
         scene.nodes[std::size_t(mover.node)].parentFromLocal = mover.pose.parentFromLocal();
     }
@@ -117,6 +124,9 @@ void rest(Scene& scene) {
     }
     for (Deformer& deformer : scene.deformers) {
         deformer.weights = deformer.restWeights;
+    }
+    for (Dial& dial : scene.dials) {
+        dial.now = dial.rest;
     }
 }
 
@@ -173,6 +183,11 @@ void sampleWeights(const AnimationSampler& sampler, double seconds, std::span<fl
     }
 }
 
+bool isAnimated(const Scene& scene) {
+    return std::any_of(scene.animations.begin(), scene.animations.end(),
+                       [](const Animation& animation) { return !animation.channels.empty(); });
+}
+
 double durationSeconds(const Scene& scene, int animation) {
     double last = 0.0;
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
@@ -204,6 +219,24 @@ void poseScene(Scene& scene, double seconds, int animation) {
 void restScene(Scene& scene) {
     rest(scene);
     placeMovers(scene);
+}
+
+Camera posedCamera(const Scene& scene, const Camera& camera) {
+    Camera posed = camera;
+    if (camera.node < 0 || camera.node >= int(scene.nodes.size())) {
+        return posed;
+    }
+    posed.frame = rigidFrame(scene.nodes[std::size_t(camera.node)].worldFromLocal);
+    for (const Dial& dial : scene.dials) {
+        const bool isItsOwn = dial.list == Dial::List::kCameras &&
+                              std::any_of(dial.owners.begin(), dial.owners.end(), [&](int owner) {
+                                  return scene.cameras[std::size_t(owner)].node == camera.node;
+                              });
+        if (isItsOwn) {
+            bringTo(dial, posed);
+        }
+    }
+    return posed;
 }
 
 }  // namespace ribalta

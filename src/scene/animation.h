@@ -13,6 +13,7 @@
 
 namespace ribalta {
 
+struct Camera;
 struct Scene;
 
 /// Keys, and the way from one to the next. Before the first and after the last nothing changes.
@@ -25,7 +26,8 @@ struct AnimationSampler {
 
     Interpolation interpolation = Interpolation::kLinear;
     std::vector<float> seconds;  ///< by key; at least one, finite, strictly increasing
-    /// By key, finite: x, y, z, and w of rotations, which are of any length but none. With
+    /// By key, finite: x, y, z, and w of rotations, which are of any length but none; of dials as
+    /// many as the channel moves. With
     /// kCubicSpline three a key: the tangent into it, its value, the tangent out of it, both
     /// tangents a second.
     std::vector<glm::vec4> values;
@@ -36,17 +38,20 @@ struct AnimationSampler {
 
 /// What a sampler moves.
 struct AnimationChannel {
-    enum class Part { kTranslation, kRotation, kScale, kWeights };
+    enum class Part { kTranslation, kRotation, kScale, kWeights, kDial };
 
-    int mover = -1;    ///< into Scene::movers; of kWeights into Scene::deformers
+    /// Into Scene::movers; of kWeights into Scene::deformers, of kDial into Scene::dials.
+    int mover = -1;
     int sampler = -1;  ///< into Animation::samplers; of kWeights one with `weights`
     Part part = Part::kTranslation;
+    int first = 0;  ///< of kDial: which of its numbers come from the sampler's
+    int count = 0;
 };
 
 struct Animation {
     std::string name;
     std::vector<AnimationSampler> samplers;
-    std::vector<AnimationChannel> channels;  ///< no part of a mover or deformer twice
+    std::vector<AnimationChannel> channels;  ///< nothing of a mover, deformer or dial twice
 };
 
 /// A node that some animation moves.
@@ -67,15 +72,22 @@ glm::dquat sampleRotation(const AnimationSampler& sampler, double seconds);
 /// The weights at a time, as many as both have.
 void sampleWeights(const AnimationSampler& sampler, double seconds, std::span<float> weights);
 
+/// Whether there is anything to play.
+bool isAnimated(const Scene& scene);
+
 /// When the last key of an animation (an index into Scene::animations, or kAllAnimations) is
 /// reached; 0 where nothing moves.
 double durationSeconds(const Scene& scene, int animation = kAllAnimations);
 
-/// Moves the scene's nodes, and what hangs on them, to where they are at a time, and shapes what is
-/// deformed. What the chosen animation does not move rests. Takes no memory.
+/// Moves the scene's nodes, and what hangs on them, to where they are at a time, shapes what is
+/// deformed, and turns the dials. What the chosen animation does not move rests. Takes no memory.
 void poseScene(Scene& scene, double seconds, int animation = kAllAnimations);
 
 /// Puts all that moves back to where the file places it.
 void restScene(Scene& scene);
+
+/// A camera of the scene, or one that was, as the scene is posed: where its node has gone, and with
+/// what of its lens is animated; the rest of it stays. One without a node stays as it is.
+Camera posedCamera(const Scene& scene, const Camera& camera);
 
 }  // namespace ribalta

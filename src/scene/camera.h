@@ -13,6 +13,15 @@
 
 namespace ribalta {
 
+/// What a camera of a file may have; what of it makes no picture is mended.
+inline constexpr double kMinVerticalFov = 1e-4;  // radians, whole angle
+inline constexpr double kMaxVerticalFov = 3.1;   // short of a half space
+inline constexpr double kMaxAspectRatio = 1e4;   // and its inverse
+inline constexpr double kMinNearMetres = 1e-9;   // perspective; a box may begin at 0
+inline constexpr double kMinExtentMetres = 1e-9;
+inline constexpr double kMaxCameraMetres = 1e30;
+inline constexpr double kUsualBoxDepth = 100.0;  // metres, of an orthographic camera without one
+
 struct PerspectiveLens {
     double verticalFov = 0.8;           ///< radians, whole angle
     std::optional<double> aspectRatio;  ///< the author's; see viewHalfExtent

@@ -16,6 +16,10 @@ namespace ribalta {
 inline constexpr double kMinConeAngle = 0.00872664625997165;  // 0.5 degrees
 inline constexpr double kMaxConeAngle = 1.39626340159546;     // 80 degrees
 
+/// Brighter than any lamp by far, and products with it still fit single precision.
+inline constexpr double kMaxLampIntensity = 1e12;  // candela or lux
+inline constexpr double kMaxLampColor = 1e6;
+
 /// The picture a lamp projects (gobo). Its square fills the cone's circle: the outer edge is the
 /// outer cone angle. Seen from the lamp, the picture's top is local +Y, its right local +X.
 struct LightMap {

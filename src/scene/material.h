@@ -8,6 +8,9 @@
 
 namespace ribalta {
 
+/// Largest emission, cd/m2: products with it still fit single precision.
+inline constexpr double kMaxEmission = 1e12;
+
 struct Sampler {
     enum class Filter { kNearest, kLinear };
     enum class Wrap { kRepeat, kMirroredRepeat, kClampToEdge };

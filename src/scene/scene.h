@@ -9,6 +9,7 @@
 #include "scene/bounds.h"
 #include "scene/camera.h"
 #include "scene/deformer.h"
+#include "scene/dial.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
@@ -34,6 +35,7 @@ struct Scene {
     std::vector<DirectionalLight> directionalLights;
     std::vector<Animation> animations;  ///< in the file's order; the scene stands at its rest pose
     std::vector<Mover> movers;          ///< the nodes that they move
+    std::vector<Dial> dials;            ///< what else they change
 };
 
 /// Computes every node's worldFromLocal, which nodes and lamps are shown, the frames of the cameras

@@ -45,10 +45,10 @@ Viewpoint viewpointOf(const Camera& camera, const Bounds& scene) {
     return {camera, frame.position + ahead * frame.forward()};
 }
 
-void follow(Viewpoint& view, const Frame& frame) {
+void follow(Viewpoint& view, const Camera& posed) {
     const double distance = view.distance();
-    view.camera.frame = frame;
-    view.pivot = frame.position + distance * frame.forward();
+    view.camera = posed;
+    view.pivot = posed.frame.position + distance * posed.frame.forward();
 }
 
 void orbit(Viewpoint& view, glm::dvec2 radians) {

@@ -21,8 +21,8 @@ struct Viewpoint {
 /// The pivot lies ahead in the middle of the scene, as far as the camera sees it.
 Viewpoint viewpointOf(const Camera& camera, const Bounds& scene);
 
-/// Takes the view to where its camera's node has gone; the pivot stays as far ahead.
-void follow(Viewpoint& view, const Frame& frame);
+/// Gives the view its camera as that is posed; the pivot stays as far ahead.
+void follow(Viewpoint& view, const Camera& posed);
 
 /// Turns around the pivot, `radians` to the right and upwards; the horizon stays level, and the
 /// camera does not tip over the top.

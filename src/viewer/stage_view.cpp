@@ -41,14 +41,6 @@ double StageView::durationSeconds(const Look& look) const {
     return ribalta::durationSeconds(scene(), animationOf(look.time, scene()));
 }
 
-Camera StageView::posed(const Camera& camera) const {
-    Camera moved = camera;
-    if (camera.node >= 0 && camera.node < int(scene().nodes.size())) {
-        moved.frame = rigidFrame(scene().nodes[std::size_t(camera.node)].worldFromLocal);
-    }
-    return moved;
-}
-
 Camera StageView::homeCamera(double aspectRatio) const {
     return scene().cameras.empty() ? makeFramingCamera(bounds_, aspectRatio)
                                    : posed(scene().cameras.front());

@@ -37,8 +37,8 @@ class StageView {
 
     /// Of the animation that the look plays, or of all together.
     double durationSeconds(const Look& look) const;
-    /// Where a camera stands as its node is posed; one without a node stays.
-    Camera posed(const Camera& camera) const;
+    /// A camera as the scene is posed: see posedCamera.
+    Camera posed(const Camera& camera) const { return posedCamera(scene(), camera); }
     /// The scene's first camera, posed, or one that frames the scene where it has none.
     Camera homeCamera(double aspectRatio) const;
 

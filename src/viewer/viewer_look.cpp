@@ -68,7 +68,7 @@ void Viewer::bringLook() {
                         "'; all of them are played");
     }
     if (state_.look.time != broughtLook_.time) {
-        follow(state_.view, stage_->posed(state_.view.camera).frame);
+        follow(state_.view, stage_->posed(state_.view.camera));
     }
     broughtLook_ = state_.look;
     ++lampsNow_;

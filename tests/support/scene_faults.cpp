@@ -210,6 +210,21 @@ void checkSampler(const AnimationSampler& sampler, const std::string& what, Faul
     }
 }
 
+void checkDial(const Scene& scene, const Dial& dial, Faults& faults) {
+    const std::size_t count = dial.list == Dial::List::kNodes         ? scene.nodes.size()
+                              : dial.list == Dial::List::kSpotLights  ? scene.spotLights.size()
+                              : dial.list == Dial::List::kPointLights ? scene.pointLights.size()
+                              : dial.list == Dial::List::kDirectionalLights
+                                  ? scene.directionalLights.size()
+                              : dial.list == Dial::List::kCameras ? scene.cameras.size()
+                                                                  : scene.materials.size();
+    faults.check(!dial.owners.empty(), "dial is nobody's");
+    for (const int owner : dial.owners) {
+        faults.check(owner >= 0 && owner < int(count), "dial's owner is out of range");
+    }
+    faults.check(dial.rest == dial.now, "dial does not rest");
+}
+
 void checkAnimations(const Scene& scene, Faults& faults) {
     for (const Mover& mover : scene.movers) {
         if (mover.node < 0 || mover.node >= int(scene.nodes.size())) {
@@ -220,6 +235,9 @@ void checkAnimations(const Scene& scene, Faults& faults) {
             mover.rest.parentFromLocal() == scene.nodes[std::size_t(mover.node)].parentFromLocal,
             "mover's rest is not its node's");
     }
+    for (const Dial& dial : scene.dials) {
+        checkDial(scene, dial, faults);
+    }
     for (std::size_t a = 0; a < scene.animations.size(); ++a) {
         const std::string what = "animation " + std::to_string(a);
         const Animation& animation = scene.animations[a];
@@ -227,11 +245,16 @@ void checkAnimations(const Scene& scene, Faults& faults) {
             checkSampler(sampler, what, faults);
         }
         for (const AnimationChannel& channel : animation.channels) {
-            const bool isWeights = channel.part == AnimationChannel::Part::kWeights;
+            const std::size_t movers =
+                channel.part == AnimationChannel::Part::kWeights ? scene.deformers.size()
+                : channel.part == AnimationChannel::Part::kDial  ? scene.dials.size()
+                                                                 : scene.movers.size();
+            faults.check(channel.mover >= 0 && channel.mover < int(movers), what + " mover");
             faults.check(
-                channel.mover >= 0 &&
-                    channel.mover < int(isWeights ? scene.deformers.size() : scene.movers.size()),
-                what + " mover");
+                channel.first >= 0 && channel.count >= 0 && channel.first + channel.count <= 4,
+                what + " numbers of a dial");
+            faults.check((channel.part == AnimationChannel::Part::kDial) == (channel.count > 0),
+                         what + " numbers of what is no dial");
             faults.check(channel.sampler >= 0 && channel.sampler < int(animation.samplers.size()),
                          what + " sampler");
         }
@@ -329,6 +352,12 @@ void checkPoses(Scene scene, Faults& faults) {
             checkShape(scene, deformer, faults);
         }
         checkLamps(scene, faults);
+        for (const Camera& camera : scene.cameras) {
+            checkCamera(camera, scene.nodes.size(), faults);
+        }
+        for (const Material& material : scene.materials) {
+            checkMaterial(material, scene.textures.size(), "posed material", faults);
+        }
     }
 }
 

@@ -123,7 +123,7 @@ void AnimationOptions::pose(Scene& scene, const std::optional<LookTime>& otherwi
         return;
     }
     const int played = chosen(scene, otherwise);
-    if (scene.movers.empty()) {
+    if (!isAnimated(scene)) {
         logWarning("nothing in the file is animated; the scene is drawn as it rests");
     }
     poseScene(scene, film ? film->seconds(film->first) : *time, played);

@@ -214,6 +214,10 @@ void printAnimations(const Scene& scene, bool all) {
     std::printf("animations %zu", scene.animations.size());
     if (!scene.animations.empty()) {
         std::printf(", %.4g s together, of %zu nodes", durationSeconds(scene), scene.movers.size());
+        if (!scene.dials.empty()) {
+            std::printf(" and %zu properties of lamps, cameras, materials and nodes",
+                        scene.dials.size());
+        }
     }
     std::printf("\n");
     const std::size_t count = scene.animations.size();

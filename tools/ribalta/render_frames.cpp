@@ -74,10 +74,7 @@ FrameRun::FrameRun(FramesJob job) : job_(std::move(job)) {
 void FrameRun::place(int frame) {
     poseScene(job_.scene, job_.range.seconds(frame), job_.animation);
     job_.afterPose(job_.scene);
-    if (job_.camera.node >= 0) {
-        job_.camera.frame =
-            rigidFrame(job_.scene.nodes[std::size_t(job_.camera.node)].worldFromLocal);
-    }
+    job_.camera = posedCamera(job_.scene, job_.camera);
     if (sunFollows_) {
         SkyDrawing& sky = *job_.settings.sky;
         sky.towardsSun = -job_.scene.directionalLights[std::size_t(sky.sunLamp)].direction;

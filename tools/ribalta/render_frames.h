@@ -17,7 +17,7 @@ void checkFrameOutputs(const RenderOutputs& outputs, const FrameRange& range,
 struct FramesJob {
     Scene& scene;  ///< the renderer's own; posed for every frame
     Renderer& renderer;
-    Camera camera;           ///< goes with its node
+    Camera camera;           ///< goes with its node, and with its own animation
     FrameSettings settings;  ///< a sun that stands where the scene's lamp does goes with it
     const RenderOutputs& outputs;
     FrameRange range;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gltf/read_animations.h"
+#include "gltf/read_sampler.h"
 #include "gltf_file.h"
 
 namespace ribalta::test {
@@ -232,8 +232,8 @@ TEST(GltfAnimationTest, NodesThatDoNotMoveAreToldOnce) {
 
 TEST(GltfAnimationTest, OtherPathsAreTold) {
     const std::string place = "/animations/0/channels/0/target/path";
-    for (const auto& [path, word] :
-         {std::pair("pointer", "pointer"), {"colour", "none of translation"}}) {
+    for (const auto& [path, word] : {std::pair("pointer", "the target has none in extensions"),
+                                     {"colour", "none of translation"}}) {
         AnimatedFile file;
         file.json["animations"][0]["channels"][0]["target"]["path"] = path;
         expectLeftOut(file, place, word);
