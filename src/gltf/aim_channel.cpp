@@ -12,7 +12,6 @@ using Owner = PointedAt::Owner;
 using Values = SamplerUse::Values;
 
 constexpr const char* kExtension = "KHR_animation_pointer";
-constexpr const char* kLights = "KHR_lights_punctual";
 
 std::optional<Part> partOf(const std::string& path) {
     return path == "translation" ? std::optional(Part::kTranslation)
@@ -140,7 +139,7 @@ bool Aimer::isThere(const PointedAt& at, const Where& where) {
         case Owner::kNode:
             return isBelow(member(import_.json, "nodes"), "nodes");
         case Owner::kLight:
-            return isBelow(member(extension(import_.json, kLights), "lights"), "lights") &&
+            return isBelow(member(extension(import_.json, kLightsPunctual), "lights"), "lights") &&
                    isLightThere(at, where);
         case Owner::kCamera:
             return isBelow(member(import_.json, "cameras"), "cameras") && isCameraThere(at, where);
@@ -151,7 +150,7 @@ bool Aimer::isThere(const PointedAt& at, const Where& where) {
 }
 
 bool Aimer::isLightThere(const PointedAt& at, const Where& where) {
-    const json& light = member(extension(import_.json, kLights), "lights")[at.index];
+    const json& light = member(extension(import_.json, kLightsPunctual), "lights")[at.index];
     if (light.is_null()) {
         leaveOut("is of a light that cannot be read", where);
         return false;

@@ -14,7 +14,6 @@ using Owner = PointedAt::Owner;
 using List = Dial::List;
 using Numbers = Dial::Numbers;
 
-constexpr const char* kLights = "KHR_lights_punctual";
 constexpr int kUnbound = -2;
 constexpr int kLeftOut = -1;
 
@@ -29,7 +28,8 @@ List listOf(const Import& import, const DialSource& source) {
         case Owner::kLight:
             break;
     }
-    const json& type = member(extension(import.json, kLights), "lights")[source.index]["type"];
+    const json& type =
+        member(extension(import.json, kLightsPunctual), "lights")[source.index]["type"];
     return type == "spot"    ? List::kSpotLights
            : type == "point" ? List::kPointLights
                              : List::kDirectionalLights;
@@ -45,7 +45,7 @@ void addLamps(const Import& import, const SceneUses& uses, const std::vector<Lam
         const auto node = std::size_t(lamps[i].node);
         if (uses.isPunctual[node] != 0) {
             const json& use =
-                extension(element(import.json, "nodes", uses.gltfNodes[node]), kLights);
+                extension(element(import.json, "nodes", uses.gltfNodes[node]), kLightsPunctual);
             found[use["light"].get<std::size_t>()].push_back(int(i));
         }
     }

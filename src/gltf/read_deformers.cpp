@@ -49,9 +49,9 @@ bool isUsable(const glm::mat4& matrix) {
     return true;
 }
 
-class Reader {
+class DeformerReader {
   public:
-    Reader(const Import& import, NodeList& list, Scene& scene, Report& report)
+    DeformerReader(const Import& import, NodeList& list, Scene& scene, Report& report)
         : import_(import),
           list_(list),
           scene_(scene),
@@ -83,7 +83,7 @@ class Reader {
     Tally ignored_;
 };
 
-void Reader::readAll() {
+void DeformerReader::readAll() {
     for (std::size_t i = 0; i < list_.inScene; ++i) {
         const json& source = element(import_.json, "nodes", list_.gltfNodes[i]);
         if (list_.nodes[i].mesh >= 0) {
@@ -105,7 +105,7 @@ void Reader::readAll() {
     ignored_.tell(Report::Kind::kIgnored, "", report_);
 }
 
-void Reader::readNode(std::size_t node, const json& source) {
+void DeformerReader::readNode(std::size_t node, const json& source) {
     const auto mesh = std::size_t(list_.nodes[node].mesh);
     const MeshShape shape = shapeOf(import_, mesh);
     const int skin = skinOf(node, source, shape);
@@ -149,7 +149,7 @@ void Reader::readNode(std::size_t node, const json& source) {
 }
 
 // Into Scene::skins; -1 where the node has none that can be used.
-int Reader::skinOf(std::size_t node, const json& source, const MeshShape& shape) {
+int DeformerReader::skinOf(std::size_t node, const json& source, const MeshShape& shape) {
     if (!source.contains("skin")) {
         return -1;
     }
@@ -169,7 +169,7 @@ int Reader::skinOf(std::size_t node, const json& source, const MeshShape& shape)
     return skin;
 }
 
-int Reader::readSkin(std::size_t index) {
+int DeformerReader::readSkin(std::size_t index) {
     const json& source = element(import_.json, "skins", index);
     if (source.is_null()) {
         return kUnusable;  // told already
@@ -200,8 +200,8 @@ int Reader::readSkin(std::size_t index) {
     return int(scene_.skins.size()) - 1;
 }
 
-std::vector<glm::dmat4> Reader::bindMatricesOf(const json& source, std::size_t joints,
-                                               const Place& place) {
+std::vector<glm::dmat4> DeformerReader::bindMatricesOf(const json& source, std::size_t joints,
+                                                       const Place& place) {
     std::vector<glm::dmat4> matrices;
     const json& accessor = member(source, "inverseBindMatrices");
     const Place here = place.at("inverseBindMatrices");
@@ -241,8 +241,8 @@ std::vector<glm::dmat4> Reader::bindMatricesOf(const json& source, std::size_t j
 }
 
 // The node's, or else the mesh's, or else 0.
-std::vector<float> Reader::weightsOf(const json& node, const Place& place, std::size_t mesh,
-                                     std::size_t targets) {
+std::vector<float> DeformerReader::weightsOf(const json& node, const Place& place, std::size_t mesh,
+                                             std::size_t targets) {
     const bool own = node.contains("weights");
     const json& given =
         own ? node["weights"] : member(element(import_.json, "meshes", mesh), "weights");
@@ -264,7 +264,7 @@ std::vector<float> Reader::weightsOf(const json& node, const Place& place, std::
 }  // namespace
 
 void readDeformers(const Import& import, NodeList& list, Scene& scene, Report& report) {
-    Reader(import, list, scene, report).readAll();
+    DeformerReader(import, list, scene, report).readAll();
 }
 
 }  // namespace ribalta::gltf

@@ -18,10 +18,10 @@ using nlohmann::json;
 // So far does nothing move; products with weights still fit single precision.
 constexpr float kLongest = 1e30F;
 
-class Reader {
+class TargetReader {
   public:
-    Reader(const Import& import, std::size_t vertices,
-           const std::function<bool(std::uint64_t)>& mayTake, Tally& ignored, Tally& repaired)
+    TargetReader(const Import& import, std::size_t vertices,
+                 const std::function<bool(std::uint64_t)>& mayTake, Tally& ignored, Tally& repaired)
         : import_(import),
           vertices_(vertices),
           mayTake_(mayTake),
@@ -107,7 +107,7 @@ std::vector<MorphTarget> readTargets(const Import& import, const json& object, s
     std::vector<MorphTarget> targets;
     Tally ignored;
     Tally repaired;
-    Reader reader(import, vertices, mayTake, ignored, repaired);
+    TargetReader reader(import, vertices, mayTake, ignored, repaired);
     const Where root(place);
     const Where list(root, "targets");
     const json& sources = member(object, "targets");

@@ -22,6 +22,8 @@ const std::string kAim = "/animations/0/channels/0/target/extensions/KHR_animati
 /// A triangle, a spot, a camera of each kind; and pointers that are played from 0 to 2 s.
 struct PointedFile : GltfFile {
     PointedFile() : GltfFile(triangleFile()) {
+        json["extensionsUsed"] = {"KHR_animation_pointer", "KHR_lights_punctual",
+                                  "KHR_materials_emissive_strength", "KHR_node_visibility"};
         json["materials"] = {{{"pbrMetallicRoughness", nlohmann::json::object()}}};
         json["meshes"][0]["primitives"][0]["material"] = 0;
         json["extensions"]["KHR_lights_punctual"]["lights"] = {
