@@ -10,6 +10,7 @@
 #endif
 #include "lib/pi.glsl"
 #include "lib/brdf.glsl"
+#include "lib/environment.glsl"
 #ifdef LAYERS
 #include "lib/layers.glsl"
 #endif
@@ -395,12 +396,16 @@ vec3 daylight(vec3 normal) {
 }
 #endif
 
-/// Even light from all around, a little less from below; and that of the sky.
+/// Even light from all around, a little less from below; that of the environment, and of the sky.
 vec3 ambientLight(Surface surface) {
     vec3 specular = mix(vec3(0.04), surface.baseColor, surface.metallic);
     vec3 albedo = surface.baseColor * (1.0 - surface.metallic) + specular;
     float fromAbove = 0.75 + 0.25 * dot(surface.normal, view.upAmbient.xyz);
     vec3 light = vec3(view.upAmbient.w * fromAbove);
+    if (view.lampCounts.w != 0) {
+        light += environmentLux(surface.normal, view.environment[0], view.environment[1],
+                                view.environment[2]);
+    }
 #ifdef SKY
     light += daylight(surface.normal);
 #endif

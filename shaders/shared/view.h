@@ -13,7 +13,8 @@ struct View {
     vec4 picture;      // width, height in pixels; their inverses
     vec4 haze;         // scattering, extinction in 1/m; the phase function's g and k
     vec4 upAmbient;    // xyz: world's up in view space; w: ambient illuminance, lux
-    ivec4 lampCounts;  // spots, point lamps, directional lamps
+    ivec4 lampCounts;  // spots, point lamps, directional lamps; 1 where there is an environment
+    mat4 environment[3];  // by channel, in view space; see lib/environment.glsl
 };
 
 SHARED_END

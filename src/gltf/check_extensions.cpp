@@ -16,6 +16,7 @@ using nlohmann::json;
 // And which file reads it.
 constexpr std::string_view kSupported[] = {
     "EXT_lights_ies",                       // read_ies
+    "EXT_lights_image_based",               // read_environment
     "EXT_mesh_gpu_instancing",              // add_instances
     "EXT_meshopt_compression",              // read_packed_views
     "EXT_texture_webp",                     // read_images

@@ -124,4 +124,36 @@ std::optional<FoundFile> findArtistsFile(const std::string& written, const fs::p
     return std::nullopt;
 }
 
+void tellOfFound(const std::string& written, const FoundFile& found, const Place& place,
+                 Report& report) {
+    constexpr std::size_t kLongest = 200;
+    if (!found.note.empty()) {
+        report.repaired(place, "is \"" + written.substr(0, kLongest) +
+                                   "\", which is not there; \"" + found.path + "\" is used, " +
+                                   found.note);
+    }
+}
+
+std::filesystem::path findUri(const std::string& uri, const fs::path& folder, bool allowOutside,
+                              const Place& place, Report& report) {
+    try {
+        fs::path named = resolveUri(uri, folder, place, allowOutside);
+        std::error_code failed;
+        if (fs::is_regular_file(named, failed)) {
+            return named;
+        }
+    } catch (const Error&) {
+        // Thrown again below, unless the file that is meant is found.
+    }
+    std::optional<FoundFile> found = findArtistsFile(uri, folder, allowOutside, place);
+    if (!found) {
+        return resolveUri(uri, folder, place, allowOutside);
+    }
+    if (found->note.empty()) {
+        found->note = "whose name has the %-codes themselves";
+    }
+    tellOfFound(uri, *found, place, report);
+    return resolvePath(found->path, folder, place, allowOutside);
+}
+
 }  // namespace ribalta::gltf

@@ -1,4 +1,5 @@
-// A file by the path that an artist typed into a custom property, habits forgiven.
+// A file by the path that an artist typed into a custom property, or by the URI that an exporter
+// wrote, habits forgiven.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/report.h"
 
 namespace ribalta::gltf {
 
@@ -22,5 +24,15 @@ struct FoundFile {
 std::optional<FoundFile> findArtistsFile(const std::string& written,
                                          const std::filesystem::path& folder, bool allowOutside,
                                          const Place& place);
+
+/// Says at `place` which file is used for the one that was asked for; nothing where it is that.
+void tellOfFound(const std::string& written, const FoundFile& found, const Place& place,
+                 Report& report);
+
+/// The file that a URI names or, where that is not there, the one that is meant as above, which is
+/// reported. Where there is neither, what resolveUri says: an Error(kBadInput), or the path of a
+/// file that is missing.
+std::filesystem::path findUri(const std::string& uri, const std::filesystem::path& folder,
+                              bool allowOutside, const Place& place, Report& report);
 
 }  // namespace ribalta::gltf

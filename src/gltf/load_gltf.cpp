@@ -24,6 +24,7 @@
 #include "gltf/read_camera.h"
 #include "gltf/read_container.h"
 #include "gltf/read_deformers.h"
+#include "gltf/read_environment.h"
 #include "gltf/read_ies.h"
 #include "gltf/read_images.h"
 #include "gltf/read_light.h"
@@ -221,7 +222,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     scene.name = chosen.index < 0 ? "" : chosen.allNames[std::size_t(chosen.index)];
     watch.lap("parse");
 
-    import.buffers = readBuffers(import, container.bin);
+    import.buffers = readBuffers(import, container.bin, report);
     import.packed = findPackedViews(import.json);
     watch.lap("buffers");
 
@@ -251,6 +252,8 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     }
     uses.gltfNodes = std::move(list.gltfNodes);
     bindDials(import, dials, uses, scene, report);
+    readEnvironment(import, chosen.index, scene, report);
+    report.append(images.takeNotes());
     scene.textures = textures.textures();
     scene.images = images.undecoded();
     loaded.files.assign(images.files().begin(), images.files().end());

@@ -5,6 +5,7 @@
 
 #include "base/read_file.h"
 #include "gltf/bad_input.h"
+#include "gltf/find_artists_file.h"
 #include "gltf/read_packed_views.h"
 #include "gltf/read_uri.h"
 
@@ -14,8 +15,9 @@ namespace {
 using nlohmann::json;
 
 std::vector<std::byte> readBufferFile(const Import& import, const std::string& uri,
-                                      std::uint64_t length, const Place& place) {
-    const std::filesystem::path path = resolveUri(uri, import.folder, place, import.allowOutside);
+                                      std::uint64_t length, const Place& place, Report& report) {
+    const std::filesystem::path path =
+        findUri(uri, import.folder, import.allowOutside, place, report);
     try {
         return readFile(path, import.budget->memoryLeft(), length);
     } catch (const Error& error) {
@@ -24,7 +26,7 @@ std::vector<std::byte> readBufferFile(const Import& import, const std::string& u
 }
 
 Buffer readBuffer(const Import& import, std::size_t index,
-                  std::optional<std::span<const std::byte>> bin) {
+                  std::optional<std::span<const std::byte>> bin, Report& report) {
     const json& buffer = element(import.json, "buffers", index);
     const Place place = import.file.at("buffers").at(index);
     const auto length = buffer["byteLength"].get<std::uint64_t>();
@@ -36,7 +38,7 @@ Buffer readBuffer(const Import& import, std::size_t index,
             import.budget->expectMemory(text.size(), place.at("uri"));
             result.owned = decodeDataUri(text, place.at("uri"));
         } else {
-            result.owned = readBufferFile(import, text, length, place.at("uri"));
+            result.owned = readBufferFile(import, text, length, place.at("uri"), report);
         }
         import.budget->takeMemory(result.owned.size(), place);
         result.bytes = result.owned;
@@ -56,8 +58,8 @@ Buffer readBuffer(const Import& import, std::size_t index,
 
 }  // namespace
 
-std::vector<Buffer> readBuffers(const Import& import,
-                                std::optional<std::span<const std::byte>> bin) {
+std::vector<Buffer> readBuffers(const Import& import, std::optional<std::span<const std::byte>> bin,
+                                Report& report) {
     const std::size_t count = member(import.json, "buffers").size();
     std::vector<Buffer> buffers;
     buffers.reserve(count);
@@ -67,7 +69,7 @@ std::vector<Buffer> readBuffers(const Import& import,
             buffers.emplace_back();
             continue;
         }
-        buffers.push_back(readBuffer(import, i, i == 0 ? bin : std::nullopt));
+        buffers.push_back(readBuffer(import, i, i == 0 ? bin : std::nullopt, report));
     }
     return buffers;
 }

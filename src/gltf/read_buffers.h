@@ -6,16 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "base/report.h"
 #include "gltf/import.h"
 
 namespace ribalta::gltf {
 
 /// Reads or decodes every buffer; `bin` is the GLB's binary chunk and must outlive the result.
 /// Buffers that only stand in for packed views stay empty. Of `import` neither model nor buffers
-/// are used. Throws Error(kBadInput) where one is missing or shorter than its byteLength,
-/// LimitError where they are too much.
-std::vector<Buffer> readBuffers(const Import& import,
-                                std::optional<std::span<const std::byte>> bin);
+/// are used. Files are found as findUri does. Throws Error(kBadInput) where one is missing or
+/// shorter than its byteLength, LimitError where they are too much.
+std::vector<Buffer> readBuffers(const Import& import, std::optional<std::span<const std::byte>> bin,
+                                Report& report);
 
 /// The bytes of a buffer view, unpacked where it is packed. Throws Error(kBadInput) where it
 /// reaches past its buffer or the file gives that buffer no data.

@@ -43,8 +43,7 @@ IesProfile readProfile(const Import& import, const json& source, const Place& pl
         if (isDataUri(text)) {
             return parseIes(textOf(decodeDataUri(text, here)), here);
         }
-        const std::filesystem::path file =
-            resolveUri(text, import.folder, here, import.allowOutside);
+        const std::filesystem::path file = images.find(text, here);
         images.noteFile(file);
         const std::uint64_t limit = std::min(kMaxFileBytes, import.budget->memoryLeft());
         try {

@@ -52,10 +52,12 @@ int ImageTable::useImage(std::size_t image) {
             request.name = text;
         }
         try {
-            const std::string file = identityOf(resolve(text, place.at("uri")));
+            std::filesystem::path found = find(text, place.at("uri"));
+            const std::string file = identityOf(found);
             if (!file.empty()) {
                 key = file;
                 files_.insert(file);
+                request.found = std::move(found);
             }
         } catch (const Error&) {
             // Found again, and reported, when it is decoded.
@@ -77,10 +79,7 @@ int ImageTable::useFile(const std::string& written, const Place& place, Report& 
     const std::string& path = found ? found->path : written;
     std::string key = "path " + path;
     if (found) {
-        if (!found->note.empty()) {
-            report.repaired(place, "is \"" + written + "\", which is not there; \"" + path +
-                                       "\" is used, " + found->note);
-        }
+        tellOfFound(written, *found, place, report);
         const std::string file =
             identityOf(resolvePath(path, import_.folder, place, import_.allowOutside));
         if (!file.empty()) {
@@ -104,8 +103,22 @@ void ImageTable::noteFile(const std::filesystem::path& file) {
     }
 }
 
-std::filesystem::path ImageTable::resolve(const std::string& uri, const Place& place) const {
-    return resolveUri(uri, import_.folder, place, import_.allowOutside);
+std::filesystem::path ImageTable::find(const std::string& uri, const Place& place) {
+    if (searchesLeft_ == 0) {
+        return resolveUri(uri, import_.folder, place, import_.allowOutside);
+    }
+    const std::size_t before = notes_.entries().size();
+    std::filesystem::path found;
+    try {
+        found = findUri(uri, import_.folder, import_.allowOutside, place, notes_);
+    } catch (const Error&) {
+        --searchesLeft_;
+        throw;
+    }
+    std::error_code failed;
+    const bool isThere = std::filesystem::exists(found, failed);
+    searchesLeft_ -= !isThere || notes_.entries().size() > before ? 1 : 0;
+    return found;
 }
 
 Image ImageTable::decodeWithin(std::span<const std::byte> encoded, const Place& place) const {
@@ -151,8 +164,13 @@ Image ImageTable::decodeOne(const Request& request) const {
     if (uri.is_string()) {
         const Place place = request.place.at("uri");
         const auto& text = uri.get_ref<const std::string&>();
-        return isDataUri(text) ? decodeWithin(decodeDataUri(text, place), request.place)
-                               : decodeFile(resolve(text, place), place);
+        if (isDataUri(text)) {
+            return decodeWithin(decodeDataUri(text, place), request.place);
+        }
+        return decodeFile(request.found.empty()
+                              ? resolveUri(text, import_.folder, place, import_.allowOutside)
+                              : request.found,
+                          place);
     }
     if (view.is_null()) {
         badInput(request.place, "has neither uri nor bufferView; export the file again");

@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/report.h"
@@ -30,6 +31,10 @@ class ImageTable {
 
     /// Index into the scene's images of one that is made here, which `key` tells from others.
     int useMade(const std::string& key, Image image);
+    /// The file beside the glTF that a URI names, artists' habits forgiven and noted (findUri).
+    std::filesystem::path find(const std::string& uri, const Place& place);
+    /// What was noted of URIs so far, to be told once.
+    Report takeNotes() { return std::exchange(notes_, {}); }
     /// Adds a file beside the glTF, which is no image, to files().
     void noteFile(const std::filesystem::path& file);
 
@@ -44,17 +49,20 @@ class ImageTable {
     const std::set<std::filesystem::path>& files() const { return files_; }
 
   private:
+    // A search lists folders: so many files are searched for that are not where they should be.
+    static constexpr int kMostSearches = 200;
+
     struct Request {
         Place place;
         std::string name;
         int image = -1;    // into the glTF's images, or
         std::string path;  // a path beside the file, or
         std::shared_ptr<const Image> made{};
+        std::filesystem::path found{};  // of an image with a URI: the file, where it is there
     };
 
     int use(const std::string& key, Request request);
     Image decodeOne(const Request& request) const;
-    std::filesystem::path resolve(const std::string& uri, const Place& place) const;
     /// Within the budget's memory and pixels.
     Image decodeWithin(std::span<const std::byte> encoded, const Place& place) const;
 
@@ -62,6 +70,8 @@ class ImageTable {
     std::vector<Request> requests_;
     std::set<std::filesystem::path> files_;
     std::map<std::string, int> known_;
+    Report notes_;
+    int searchesLeft_ = kMostSearches;
 };
 
 }  // namespace ribalta::gltf

@@ -74,6 +74,11 @@ void scaleUnits(const LoadOptions& options, Scene& scene) {
             box->halfHeight *= options.unitScale;
         }
     }
+    if (scene.environment) {
+        for (glm::dmat4& form : scene.environment->lux) {
+            form *= options.intensityScale;
+        }
+    }
     for (SpotLight& lamp : scene.spotLights) {
         lamp.rangeMetres *= options.unitScale;
         lamp.intensityCandela *= options.intensityScale;

@@ -55,6 +55,7 @@ using mat4 = glm::dmat4;
 #include "lib/beam_radiance.glsl"
 #include "lib/beam_geometry.glsl"
 #include "lib/brdf.glsl"
+#include "lib/environment.glsl"
 #include "lib/layers.glsl"
 #include "lib/shadow_projection.glsl"
 #include "lib/tonemap.glsl"

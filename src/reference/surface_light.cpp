@@ -265,7 +265,11 @@ glm::dvec3 SurfaceLight::radiance(const ShadedPoint& point) const {
     }
     // Even light, a little less from below.
     const double fromAbove = 0.75 + 0.25 * point.normal.y;
-    glm::dvec3 sum = point.emission + ambientLight(point, glm::dvec3(ambientLux_ * fromAbove));
+    glm::dvec3 lux(ambientLux_ * fromAbove);
+    if (scene_.environment) {
+        lux += irradiance(*scene_.environment, point.normal);
+    }
+    glm::dvec3 sum = point.emission + ambientLight(point, lux);
     if (daylight_ != nullptr) {
         sum += fromDay(point);
     }

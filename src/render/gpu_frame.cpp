@@ -135,6 +135,13 @@ void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene&
 
     std::vector<gpu::View> view = {describeView(plan)};
     view.front().lampCounts.z += daylight != nullptr ? 1 : 0;
+    if (scene.environment) {
+        view.front().lampCounts.w = 1;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            view.front().environment[channel] =
+                inOtherAxes(scene.environment->lux[channel], glm::dmat3(fromView));
+        }
+    }
     view_.write("view", bytesOf(view));
     glBindBufferBase(GL_UNIFORM_BUFFER, gpu::kViewSlot, view_.name());
 

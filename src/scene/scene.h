@@ -1,6 +1,7 @@
 // Scene: all that a file says of a stage, as plain data. No JSON, no graphics API.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "scene/camera.h"
 #include "scene/deformer.h"
 #include "scene/dial.h"
+#include "scene/environment.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
@@ -33,6 +35,7 @@ struct Scene {
     std::vector<SpotLight> spotLights;
     std::vector<PointLight> pointLights;
     std::vector<DirectionalLight> directionalLights;
+    std::optional<Environment> environment;  ///< none: no light but that of lamps and the settings
     std::vector<Animation> animations;  ///< in the file's order; the scene stands at its rest pose
     std::vector<Mover> movers;          ///< the nodes that they move
     std::vector<Dial> dials;            ///< what else they change

@@ -375,7 +375,7 @@ void drawPanels(ViewerState& state, const StageView& stage, const PictureFacts& 
         drawLampList(state, stage);
         drawLampPanel(state, stage);
     }
-    if (!stage.scene().movers.empty() &&
+    if (isAnimated(stage.scene()) &&
         ImGui::CollapsingHeader("Animation", ImGuiTreeNodeFlags_DefaultOpen)) {
         drawAnimationPanel(state, stage);
     }

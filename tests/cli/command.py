@@ -136,22 +136,25 @@ def add_node(scene, **node):
     scene["nodes"].append(node)
 
 
+def add_accessor(scene, width, numbers):
+    """Of floats, `width` an element; returns its index."""
+    content = struct.pack(f"<{len(numbers)}f", *numbers)
+    scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
+    scene["bufferViews"].append({"buffer": len(scene["buffers"]) - 1, "byteLength": len(content)})
+    scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1,
+                               "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[width],
+                               "componentType": 5126, "count": len(numbers) // width})
+    return len(scene["accessors"]) - 1
+
+
 def make_moving_floor():
     """In 1 s the lamp swings to the side and back, the floor rises and the camera comes nearer."""
     scene = make_floor()
 
-    def accessor(kind, width, numbers):
-        content = struct.pack(f"<{len(numbers)}f", *numbers)
-        scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
-        scene["bufferViews"].append({"buffer": len(scene["buffers"]) - 1,
-                                     "byteLength": len(content)})
-        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "type": kind,
-                                   "componentType": 5126, "count": len(numbers) // width})
-        return len(scene["accessors"]) - 1
-
     def animation(name, node, times, places):
         index = next(i for i, each in enumerate(scene["nodes"]) if each["name"] == node)
-        sampler = {"input": accessor("SCALAR", 1, times), "output": accessor("VEC3", 3, places)}
+        sampler = {"input": add_accessor(scene, 1, times),
+                   "output": add_accessor(scene, 3, places)}
         target = {"node": index, "path": "translation"}
         return {"name": name, "samplers": [sampler],
                 "channels": [{"sampler": 0, "target": target}]}
@@ -162,6 +165,40 @@ def make_moving_floor():
         animation("dolly", "side", [0, 1], [0, 2, 8, 0.5, 2, 6]),
     ]
     return scene
+
+
+def add_pointers(scene, channels):
+    """An animation of 1 s more, of KHR_animation_pointer: {pointer: (first, last)}."""
+    extension = "KHR_animation_pointer"
+    animation = {"name": "pointers", "samplers": [], "channels": []}
+    times = add_accessor(scene, 1, [0, 1])
+    for pointer, (first, last) in channels.items():
+        output = add_accessor(scene, len(first), [*first, *last])
+        animation["samplers"].append({"input": times, "output": output})
+        animation["channels"].append({
+            "sampler": len(animation["samplers"]) - 1,
+            "target": {"path": "pointer", "extensions": {extension: {"pointer": pointer}}}})
+    scene.setdefault("animations", []).append(animation)
+    scene["extensionsUsed"].append(extension)
+    # A file that insists on it is drawn, too.
+    scene["extensionsRequired"] = [extension]
+    return scene
+
+
+LIGHT = "/extensions/KHR_lights_punctual/lights/0"
+# The last ones are what single precision holds exactly.
+DIALS = {
+    LIGHT + "/intensity": ([1000], [100]), LIGHT + "/color": ([1, 1, 1], [1, 0.25, 0.125]),
+    LIGHT + "/spot/outerConeAngle": ([0.3], [0.15625]),
+    "/cameras/0/perspective/yfov": ([0.9], [0.625]),
+    "/materials/0/pbrMetallicRoughness/baseColorFactor": ([1, 1, 1, 1], [0.25, 0.75, 0.25, 1])}
+
+
+def make_dialed_floor(channels=None):
+    scene = make_floor()
+    scene["materials"] = [{"pbrMetallicRoughness": {"metallicFactor": 0}}]
+    scene["meshes"][0]["primitives"][0]["material"] = 0
+    return add_pointers(scene, channels or DIALS)
 
 
 def add_texture(scene, uri):

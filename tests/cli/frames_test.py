@@ -5,14 +5,13 @@ import os
 import re
 import signal
 import stat
-import struct
 import subprocess
 import sys
 import time
 import unittest
 
-from command import (JOB_FAILED, PROGRAM, USAGE, CommandTest, add_node, data_uri, make_floor,
-                     make_moving_floor, read_png)
+from command import (DIALS, JOB_FAILED, LIGHT, PROGRAM, USAGE, CommandTest, add_accessor, add_node,
+                     make_dialed_floor, make_floor, make_moving_floor, read_png)
 
 SIZE = ["--size", "32x18", "--exposure", "5"]
 
@@ -36,14 +35,10 @@ def add_moving_sun(scene):
     extension = "KHR_lights_punctual"
     scene["extensions"][extension]["lights"].append({"type": "directional"})
     add_node(scene, name="sun", extensions={extension: {"light": 1}})
-    content = struct.pack("<8f", -0.1, 0, 0, 0.99498744, -0.5, 0, 0, 0.8660254)
-    scene["buffers"].append({"uri": data_uri(content), "byteLength": len(content)})
-    scene["bufferViews"].append({"buffer": len(scene["buffers"]) - 1, "byteLength": len(content)})
-    scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "type": "VEC4",
-                               "componentType": 5126, "count": 2})
+    turns = add_accessor(scene, 4, [-0.1, 0, 0, 0.99498744, -0.5, 0, 0, 0.8660254])
     dolly = scene["animations"][-1]["samplers"][0]
     scene["animations"].append({
-        "samplers": [{"input": dolly["input"], "output": len(scene["accessors"]) - 1}],
+        "samplers": [{"input": dolly["input"], "output": turns}],
         "channels": [{"sampler": 0,
                       "target": {"node": len(scene["nodes"]) - 1, "path": "rotation"}}]})
     return scene
@@ -122,6 +117,56 @@ class Times(Moving):
                           "--verbose")
         self.expect_error(USAGE, ["a.mp4", "--frames"], "render", "floor.gltf", "-o", "a.mp4")
         self.assertEqual(self.files(), ["floor.gltf"])
+
+
+class Pointers(Moving):
+    """What KHR_animation_pointer changes of lamps, cameras and materials reaches the picture."""
+
+    def test_each_is_drawn_as_if_it_were_the_files_own(self):
+        """At its end an animation shows what a file shows that has the last keys' values itself."""
+        for pointer, (_, last) in DIALS.items():
+            self.write_scene("floor.gltf", make_dialed_floor({pointer: DIALS[pointer]}))
+            scene = make_dialed_floor({pointer: DIALS[pointer]})
+            holder = scene
+            *path, name = pointer[1:].split("/")
+            for step in path:
+                holder = holder[int(step) if step.isdigit() else step]
+            holder[name] = last[0] if len(last) == 1 else last
+            del scene["animations"], scene["extensionsRequired"]
+            self.write_scene("own.gltf", scene)
+            self.render("-o", "rest.png")
+            self.render("--time", "1", "-o", "posed.png")
+            self.expect_done("render", "own.gltf", *SIZE, "-o", "own.png")
+            self.assertEqual(self.content("posed.png"), self.content("own.png"), pointer)
+            self.assertNotEqual(self.content("posed.png"), self.content("rest.png"), pointer)
+
+    def test_frames_are_their_times_drawn_alone(self):
+        self.write_scene("floor.gltf", make_dialed_floor())
+        self.render("--frames", "0:4", "--fps", "4", "-o", "shot_#.png")
+        contents = set()
+        for i in range(5):
+            self.render("--time", i / 4, "-o", "alone.png")
+            self.assertEqual(self.content(f"shot_{i}.png"), self.content("alone.png"), i)
+            contents.add(self.content("alone.png"))
+        self.assertEqual(len(contents), 5)
+
+    def test_a_look_has_the_last_word(self):
+        self.write_scene("floor.gltf", make_dialed_floor({LIGHT + "/intensity": ([1000], [10])}))
+        look = {"ribalta_look": 1, "lamps": [{"name": "lamp", "intensity": 1000}]}
+        self.write("a.look.json", json.dumps(look).encode())
+        self.render("-o", "rest.png")
+        self.render("--time", "1", "-o", "dim.png")
+        self.render("--time", "1", "--look", "a.look.json", "-o", "look.png")
+        self.assertEqual(self.content("look.png"), self.content("rest.png"))
+        self.assertNotEqual(self.content("look.png"), self.content("dim.png"))
+        self.render("--frames", "0:1", "--fps", "1", "--look", "a.look.json", "-o", "f_#.png")
+        self.assertEqual(self.content("f_1.png"), self.content("rest.png"))
+
+    def test_inspect_counts_them(self):
+        self.write_scene("floor.gltf", make_dialed_floor())
+        text = self.expect_done("inspect", "--strict", "floor.gltf").stdout
+        self.assertIn("animations 1, 1 s together, of 0 nodes and 5 properties of lamps, cameras, "
+                      "materials and nodes", text)
 
 
 class Frames(Moving):

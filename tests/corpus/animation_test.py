@@ -1,5 +1,6 @@
-"""Where animated nodes and joints are, and what shape skinned and morphed meshes have, computed from
-the files anew and compared with the loader's answer.
+"""Where animated nodes and joints are, what shape skinned and morphed meshes have, and what lamps,
+cameras and materials are when animated by pointers, computed from the files anew and compared with
+the loader's answer.
 
 Every animated, skinned or morphed model of other people's glTF files (RIBALTA_GLTF_ASSETS, or ../shared/assets/gltf
 beside the checkout) and of the samples, each animation at ten times. POSE_NODES names the program
@@ -12,8 +13,10 @@ import json
 import math
 import os
 import pathlib
+import random
 import struct
 import subprocess
+import tempfile
 import unittest
 import urllib.parse
 
@@ -302,6 +305,133 @@ def loaders_answer(path, animation, times):
     return [json.loads(line) for line in result.stdout.splitlines()]
 
 
+LIGHTS = "/extensions/KHR_lights_punctual/lights/"
+STRENGTH = "/extensions/KHR_materials_emissive_strength/emissiveStrength"
+# Pointer, components (0: on or off), and what the values lie between: always in range, so that
+# nothing is mended but what splines overshoot, which the wide ranges of what may be mended allow.
+POINTERS = [
+    (LIGHTS + "0/intensity", 1, 500, 900), (LIGHTS + "0/color", 3, 0.4, 0.6),
+    (LIGHTS + "0/range", 1, 50, 90), (LIGHTS + "0/spot/innerConeAngle", 1, 0.2, 0.3),
+    (LIGHTS + "0/spot/outerConeAngle", 1, 0.6, 0.8), (LIGHTS + "1/intensity", 1, 5, 9),
+    (LIGHTS + "1/color", 3, 0.4, 0.6), (LIGHTS + "1/range", 1, 50, 90),
+    (LIGHTS + "2/intensity", 1, 500, 900), (LIGHTS + "2/color", 3, 0.4, 0.6),
+    ("/cameras/0/perspective/yfov", 1, 0.5, 0.8), ("/cameras/0/perspective/aspectRatio", 1, 1, 2),
+    ("/cameras/0/perspective/znear", 1, 0.5, 0.8), ("/cameras/0/perspective/zfar", 1, 50, 80),
+    ("/cameras/1/orthographic/xmag", 1, 5, 8), ("/cameras/1/orthographic/ymag", 1, 5, 8),
+    ("/cameras/1/orthographic/znear", 1, 1, 2), ("/cameras/1/orthographic/zfar", 1, 50, 80),
+    ("/materials/0/pbrMetallicRoughness/baseColorFactor", 4, 0.4, 0.6),
+    ("/materials/0/emissiveFactor", 3, 0.4, 0.6), ("/materials/0" + STRENGTH, 1, 50, 90),
+    ("/nodes/0/translation", 3, -9, 9), ("/nodes/0/rotation", 4, -1, 1),
+    ("/nodes/0/scale", 3, 0.5, 2), ("/nodes/1/translation", 3, -9, 9),
+    ("/nodes/2/extensions/KHR_node_visibility/visible", 0, 0, 1)]
+
+
+class PointerScene:
+    """Lamps of each kind, one of them on two nodes, cameras of both, a material; all animated."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.data = b""
+        self.keys = {}
+        punctual, pointer = "KHR_lights_punctual", "KHR_animation_pointer"
+        self.json = {
+            "asset": {"version": "2.0"}, "scene": 0,
+            "extensionsUsed": [punctual, pointer, "KHR_node_visibility",
+                               "KHR_materials_emissive_strength"],
+            "extensions": {punctual: {"lights": [
+                {"type": "spot", "spot": {}}, {"type": "point"}, {"type": "directional"}]}},
+            "cameras": [
+                {"type": "perspective", "perspective": {"yfov": 1, "aspectRatio": 1, "znear": 1,
+                                                        "zfar": 9}},
+                {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "znear": 1,
+                                                          "zfar": 9}}],
+            "materials": [{"pbrMetallicRoughness": {},
+                           "extensions": {"KHR_materials_emissive_strength": {}}}],
+            "accessors": [], "bufferViews": [],
+            "animations": [{"samplers": [], "channels": []}]}
+        places = self.accessor("VEC3", "f", [[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+        self.json["meshes"] = [{"primitives": [{"attributes": {"POSITION": places},
+                                                "material": 0}]}]
+        lamps = [{"extensions": {punctual: {"light": light}}} for light in (0, 0, 1, 2)]
+        self.json["nodes"] = [{"mesh": 0, "children": [1]}, lamps[0], {"children": [4]},
+                              *lamps[1:], {"camera": 0}, {"camera": 1}]
+        self.json["scenes"] = [{"nodes": [0, 2, 3, 5, 6, 7]}]
+        for channel in POINTERS:
+            self.animate(pointer, *channel)
+        self.json["buffers"] = [{
+            "byteLength": len(self.data), "uri": "data:application/octet-stream;base64," +
+            base64.b64encode(self.data).decode()}]
+
+    def accessor(self, kind, letter, elements):
+        codes = {"f": 5126, "B": 5121}
+        content = b"".join(struct.pack(f"<{len(each)}{letter}", *each) for each in elements)
+        self.data += b"\0" * (-len(self.data) % 4)
+        self.json["bufferViews"].append({"buffer": 0, "byteOffset": len(self.data),
+                                         "byteLength": len(content)})
+        self.data += content
+        self.json["accessors"].append({"bufferView": len(self.json["bufferViews"]) - 1,
+                                       "componentType": codes[letter], "type": kind,
+                                       "count": len(elements)})
+        return len(self.json["accessors"]) - 1
+
+    def animate(self, extension, pointer, width, low, high):
+        number = self.random.uniform
+        way = self.random.choice(["STEP", "LINEAR", "CUBICSPLINE"]) if width else "STEP"
+        times = [1.5 * i + number(0, 1) for i in range(4)]
+        values = []
+        for _ in times:
+            value = [self.random.randint(0, 1)] if not width else \
+                [number(low, high) for _ in range(width)]
+            slope = [[0.1 * number(low - high, high - low) for _ in value] for _ in range(2)]
+            values += [slope[0], value, slope[1]] if way == "CUBICSPLINE" else [value]
+        kind = {0: "SCALAR", 1: "SCALAR", 3: "VEC3", 4: "VEC4"}[width]
+        animation = self.json["animations"][0]
+        animation["samplers"].append({
+            "input": self.accessor("SCALAR", "f", [[time] for time in times]),
+            "output": self.accessor(kind, "f" if width else "B", values), "interpolation": way})
+        animation["channels"].append({
+            "sampler": len(animation["samplers"]) - 1,
+            "target": {"path": "pointer", "extensions": {extension: {"pointer": pointer}}}})
+        self.keys[pointer] = (times, values, way)
+
+    def at(self, pointer, now):
+        times, values, way = self.keys[pointer]
+        single = [struct.unpack("<f", struct.pack("<f", time))[0] for time in times]
+        path = "rotation" if pointer.endswith("/rotation") else ""
+        return sample(single, values, way, path, now)
+
+    def answer(self, now):
+        """As POSE_NODES prints it."""
+        def light(index, spot=False):
+            numbers = self.at(f"{LIGHTS}{index}/color", now)
+            numbers = numbers + self.at(f"{LIGHTS}{index}/intensity", now)
+            numbers += self.at(f"{LIGHTS}{index}/range", now) if index < 2 else [0.0]
+            if spot:
+                numbers += self.at(LIGHTS + "0/spot/innerConeAngle", now)
+                numbers += self.at(LIGHTS + "0/spot/outerConeAngle", now)
+            return numbers
+
+        perspective, box = "/cameras/0/perspective/", "/cameras/1/orthographic/"
+        factor = self.at("/materials/0/emissiveFactor", now)
+        strength = self.at("/materials/0" + STRENGTH, now)[0]
+        first = matrix_of(*(self.at("/nodes/0/" + part, now)
+                            for part in ("translation", "rotation", "scale")))
+        second = multiply(first, matrix_of(self.at("/nodes/1/translation", now), [0, 0, 0, 1],
+                                           [1, 1, 1]))
+        shown = float(self.at("/nodes/2/extensions/KHR_node_visibility/visible", now)[0] != 0)
+        return {
+            "nodes": first + second + 6 * IDENTITY,
+            "shown": [1.0, 1.0, shown, shown, 1.0, 1.0, 1.0, 1.0],
+            # In the order of the nodes: what hangs on another stands behind it.
+            "lamps": light(0, True) + light(1) + light(0, True) + light(2),
+            "cameras": [number for path in (
+                perspective + "znear", perspective + "zfar", perspective + "yfov",
+                perspective + "aspectRatio", box + "znear", box + "zfar", box + "xmag",
+                box + "ymag") for number in self.at(path, now)],
+            "materials": self.at("/materials/0/pbrMetallicRoughness/baseColorFactor", now) +
+            [strength * each for each in factor]}
+
+
 class AnimatedModels(unittest.TestCase):
     def compare_numbers(self, ours, theirs, what):
         self.assertEqual(len(theirs), len(ours), what)
@@ -360,6 +490,20 @@ class AnimatedModels(unittest.TestCase):
             everything += keys_of(model, animation)
         for now, theirs in zip(times, loaders_answer(path, -1, times)):
             self.compare_pose(model, order, everything, now, theirs, f"{path}: {now} s")
+        self.assertGreater(self.compared, 10000)
+
+    def test_pointers(self):
+        for seed in range(8):
+            scene = PointerScene(seed)
+            with tempfile.TemporaryDirectory() as folder, self.subTest(seed=seed):
+                path = pathlib.Path(folder) / "pointers.gltf"
+                path.write_text(json.dumps(scene.json))
+                times = [-0.5, 9.0] + [0.8 * i + 0.05 for i in range(9)]
+                for now, theirs in zip(times, loaders_answer(path, 0, times)):
+                    for what, ours in scene.answer(now).items():
+                        self.assertEqual(len(ours), len(theirs[what]), what)
+                        for i, (mine, its) in enumerate(zip(ours, theirs[what])):
+                            self.compare_numbers([mine], [its], f"{path}: {now} s: {what}[{i}]")
         self.assertGreater(self.compared, 10000)
 
     def test_other_peoples_models(self):

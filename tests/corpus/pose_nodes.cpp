@@ -1,8 +1,11 @@
 // Prints where a scene's nodes are, and what shape its meshes have, at given times, for comparison
 // with another program's answer. A line of JSON a time: "nodes", 16 numbers each, worldFromLocal
-// column by column, in the order of Scene::nodes without those that only hold a skinned mesh; and
-// "deformers", each with its weights, its joints' worldFromMesh, and of each of its primitives
+// column by column, in the order of Scene::nodes without those that only hold a skinned mesh;
+// "shown", the same nodes' visibility; "lamps" and "cameras", what can be animated of them, in the
+// order of the nodes that they hang on; "materials", base colour and emission; and "deformers",
+// each with its weights, its joints' worldFromMesh, and of each of its primitives
 // every so manieth corner in the order of the indices, in world metres. Not a test itself.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -84,16 +87,98 @@ void printDeformer(const Scene& scene, const Deformer& deformer) {
     std::printf("}");
 }
 
+bool holdsSkinnedMesh(const Scene& scene, const Node& node) {
+    return node.deformer >= 0 && scene.deformers[std::size_t(node.deformer)].skin >= 0;
+}
+
+// Infinity is no JSON.
+double finite(double number) {
+    return std::min(number, 1e30);
+}
+
+void addLight(const glm::vec3& color, double intensity, double range, List& list) {
+    for (const double number :
+         {double(color.x), double(color.y), double(color.z), intensity, finite(range)}) {
+        list.add(number);
+    }
+}
+
+void printLamps(const Scene& scene) {
+    List list;
+    for (int node = 0; node < int(scene.nodes.size()); ++node) {
+        for (const SpotLight& lamp : scene.spotLights) {
+            if (lamp.node == node) {
+                addLight(lamp.color, lamp.intensityCandela, lamp.rangeMetres, list);
+                list.add(lamp.innerConeAngle);
+                list.add(lamp.outerConeAngle);
+            }
+        }
+        for (const PointLight& lamp : scene.pointLights) {
+            if (lamp.node == node) {
+                addLight(lamp.color, lamp.intensityCandela, lamp.rangeMetres, list);
+            }
+        }
+        for (const DirectionalLight& lamp : scene.directionalLights) {
+            if (lamp.node == node) {
+                addLight(lamp.color, lamp.illuminanceLux, 0.0, list);
+            }
+        }
+    }
+}
+
+void printCameras(const Scene& scene) {
+    List list;
+    for (const Camera& camera : scene.cameras) {
+        list.add(camera.nearMetres);
+        list.add(finite(camera.farMetres));
+        if (const auto* lens = std::get_if<PerspectiveLens>(&camera.lens)) {
+            list.add(lens->verticalFov);
+            list.add(lens->aspectRatio.value_or(0.0));
+        } else {
+            const auto& box = std::get<OrthographicLens>(camera.lens);
+            list.add(box.halfWidth);
+            list.add(box.halfHeight);
+        }
+    }
+}
+
+void printMaterials(const Scene& scene) {
+    List list;
+    for (const Material& material : scene.materials) {
+        for (int c = 0; c < 4; ++c) {
+            list.add(double(material.baseColor[c]));
+        }
+        for (int c = 0; c < 3; ++c) {
+            list.add(double(material.emission[c]));
+        }
+    }
+}
+
 void printPose(const Scene& scene) {
     std::printf("{\"nodes\":");
     {
         List list;
         for (const Node& node : scene.nodes) {
-            if (node.deformer < 0 || scene.deformers[std::size_t(node.deformer)].skin < 0) {
+            if (!holdsSkinnedMesh(scene, node)) {
                 list.add(node.worldFromLocal);
             }
         }
     }
+    std::printf(",\"shown\":");
+    {
+        List list;
+        for (const Node& node : scene.nodes) {
+            if (!holdsSkinnedMesh(scene, node)) {
+                list.add(node.shown ? 1.0 : 0.0);
+            }
+        }
+    }
+    std::printf(",\"lamps\":");
+    printLamps(scene);
+    std::printf(",\"cameras\":");
+    printCameras(scene);
+    std::printf(",\"materials\":");
+    printMaterials(scene);
     std::printf(",\"deformers\":");
     {
         List list;

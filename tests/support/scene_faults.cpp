@@ -395,6 +395,11 @@ std::vector<std::string> sceneFaults(const Scene& scene) {
     for (const Camera& camera : scene.cameras) {
         checkCamera(camera, scene.nodes.size(), faults);
     }
+    if (scene.environment) {
+        for (const glm::dmat4& form : scene.environment->lux) {
+            checkMatrix(form, "environment", faults);
+        }
+    }
     checkLamps(scene, faults);
     checkDeformers(scene, faults);
     checkAnimations(scene, faults);

@@ -189,6 +189,13 @@ void printLamps(const Scene& scene) {
     if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty()) {
         std::printf("  no lamps: only ambient light will be drawn\n");
     }
+    if (scene.environment) {
+        const glm::dvec3 floor = irradiance(*scene.environment, {0.0, 1.0, 0.0});
+        const glm::dvec3 ceiling = irradiance(*scene.environment, {0.0, -1.0, 0.0});
+        std::printf("environment %s %.4g %.4g %.4g lux from above, %.4g %.4g %.4g from below\n",
+                    quoted(scene.environment->name).c_str(), floor.x, floor.y, floor.z, ceiling.x,
+                    ceiling.y, ceiling.z);
+    }
 }
 
 void printCameras(const Scene& scene) {

@@ -19,7 +19,8 @@ void tellOfScene(const LoadedScene& loaded) {
         }
     }
     const Scene& scene = loaded.scene;
-    if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty()) {
+    if (scene.spotLights.empty() && scene.pointLights.empty() && scene.directionalLights.empty() &&
+        !scene.environment) {
         logWarning("the scene has no lamps; only ambient light is drawn (see --ambient)");
     }
 }

@@ -1,4 +1,5 @@
 // Artists' habits: paths of light maps as people type them, and files in other units.
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -93,6 +94,112 @@ LoadedScene loadScaled(const GltfFile& file, double units, double intensity) {
     options.unitScale = units;
     options.intensityScale = intensity;
     return loadGltf(file.writeTo(folder), options);
+}
+
+// A triangle with a picture on it, and its buffer in a file of its own.
+GltfFile fileWithUris(const std::string& image, const std::string& buffer = "") {
+    GltfFile file = triangleFile();
+    file.json["images"] = {{{"uri", image}}};
+    file.json["textures"] = {{{"source", 0}}};
+    file.json["materials"] = {{{"emissiveTexture", {{"index", 0}}}}};
+    file.json["meshes"][0]["primitives"][0]["material"] = 0;
+    if (!buffer.empty()) {
+        file.json["buffers"] = {{{"uri", buffer}, {"byteLength", file.bytes().size()}}};
+    }
+    return file;
+}
+
+bool isMended(const LoadedScene& loaded) {
+    const auto& entries = loaded.report.entries();
+    return std::any_of(entries.begin(), entries.end(), [](const Report::Entry& entry) {
+        return entry.kind == Report::Kind::kRepaired;
+    });
+}
+
+LoadedScene loadText(const TestFolder& folder, const GltfFile& file, const char* name) {
+    return load(folder.write(name, file.json.dump()));
+}
+
+TEST(HabitsTest, PicturesAndBuffersAreFoundAsTheyAreMeant) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder.path() / "Textures");
+    const auto png = makePng({.rows = {std::string(4, '\x80')}});
+    for (const char* name : {"Textures/My Wood.png", "wood.png", "100%25.png"}) {
+        folder.write(name, png);
+        folder.write(std::filesystem::path(name).replace_extension("bin").string(),
+                     triangleFile().bytes());
+    }
+    const struct {
+        const char* stem;
+        const char* word;  // of the report; empty: nothing is said
+    } habits[] = {
+        {"Textures/My%20Wood", ""},
+        {"Textures/My Wood", ""},
+        {"Textures\\My Wood", "slashes"},
+        {".\\Textures\\My%20Wood", "slashes"},
+        {"textures/my%20wood", "letters"},
+        {"WOOD", "letters"},
+        {"C:\\Users\\Someone\\wood", "beside the scene"},
+        {"C:/Users/Someone/wood", "beside the scene"},
+        {"/home/someone/wood", "beside the scene"},
+        {"file:///C:/Users/Someone/wood", "beside the scene"},
+        {"//wood", "Blender"},
+        {" wood", "spaces"},
+        {"100%25", "%-codes themselves"},
+    };
+    for (const auto& habit : habits) {
+        SCOPED_TRACE(habit.stem);
+        const std::string stem = habit.stem;
+        const LoadedScene loaded =
+            loadText(folder, fileWithUris(stem + ".png", stem + ".bin"), "scene.gltf");
+        ASSERT_EQ(loaded.scene.images.size(), 1U);
+        EXPECT_EQ(loaded.scene.images[0].width, 1) << reportText(loaded);
+        EXPECT_EQ(onlyPrimitive(loaded).positions.size(), 3U);
+        if (*habit.word == '\0') {
+            EXPECT_FALSE(isMended(loaded)) << reportText(loaded);
+        } else {
+            expectLine(loaded, Report::Kind::kRepaired, "/images/0/uri", habit.word);
+            expectLine(loaded, Report::Kind::kRepaired, "/buffers/0/uri", habit.word);
+        }
+    }
+}
+
+TEST(HabitsTest, NoUriLeadsOutOfTheFolder) {
+    const TestFolder folder;
+    std::filesystem::create_directories(folder.path() / "scene");
+    folder.write("secret.png", makePng({.rows = {std::string(4, '\x80')}}));
+    folder.write("secret.bin", triangleFile().bytes());
+    for (const std::string stem : {"../secret", "..\\secret", "%2e%2e/secret", "//../secret",
+                                   "../SECRET", "%2e%2e%5csecret", "https://example.com/secret"}) {
+        const LoadedScene loaded =
+            load(folder.write("scene/scene.gltf", fileWithUris(stem + ".png").text()));
+        EXPECT_GT(loaded.scene.images.at(0).width, 1) << stem;  // the checkerboard
+        expectRefused(
+            folder.write("scene/buffer.gltf", fileWithUris("", stem + ".bin").json.dump()),
+            "/buffers/0/uri", {});
+    }
+    // Where it is allowed, a path that is there needs no search.
+    LoadOptions options;
+    options.allowOutside = true;
+    const LoadedScene allowed =
+        loadGltf(folder.write("scene/scene.gltf", fileWithUris("../secret.png").text()), options);
+    EXPECT_EQ(allowed.scene.images.at(0).width, 1);
+    EXPECT_FALSE(isMended(allowed)) << reportText(allowed);
+}
+
+TEST(HabitsTest, OnePictureByTwoNamesIsReadOnce) {
+    const TestFolder folder;
+    folder.write("wood.png", makePng({.rows = {std::string(4, '\x80')}}));
+    GltfFile file = fileWithUris("wood.png");
+    file.json["images"].push_back({{"uri", "C:\\work\\Wood.PNG"}});
+    file.json["textures"].push_back({{"source", 1}});
+    file.json["materials"][0]["normalTexture"] = {{"index", 1}};
+    const LoadedScene loaded = load(folder.write("scene.gltf", file.text()));
+    EXPECT_EQ(loaded.scene.images.size(), 1U);
+    expectLine(loaded, Report::Kind::kRepaired, "/images/1/uri", "beside the scene");
+    EXPECT_TRUE(std::any_of(loaded.files.begin(), loaded.files.end(), [](const auto& path) {
+        return path.filename() == "wood.png";
+    })) << "watched for changes";
 }
 
 TEST(HabitsTest, UnitsAreScaledAsAsked) {

@@ -165,5 +165,54 @@ TEST(LampChange, KnowsWhetherItChangesAnything) {
     EXPECT_FALSE(change.isIdle());
 }
 
+// A spot whose intensity goes from 100 to 300 cd and whose cones open, in 2 s.
+Scene makeAnimatedScene() {
+    Scene scene = makeScene();
+    Animation& animation = scene.animations.emplace_back();
+    const auto play = [&](Dial::Numbers numbers, const glm::vec4& from, const glm::vec4& to) {
+        Dial& dial = scene.dials.emplace_back();
+        dial.numbers = numbers;
+        dial.owners = {1};
+        dial.rest = dial.now = glm::dvec4(from);
+        animation.samplers.push_back(
+            {AnimationSampler::Interpolation::kLinear, {0, 2}, {from, to}});
+        const int last = int(scene.dials.size()) - 1;
+        animation.channels.push_back({last, last, AnimationChannel::Part::kDial, 0, 2});
+    };
+    play(Dial::Numbers::kIntensity, glm::vec4(100), glm::vec4(300));
+    play(Dial::Numbers::kCone, {0.1, 0.2, 0, 0}, {0.3, 0.4, 0, 0});
+    return scene;
+}
+
+TEST(AnimatedLamps, TheLooksValueWins) {
+    std::vector<LampChange> changes = {changeOf("b")};
+    LookLightMaps lightMaps;
+    Scene scene = makeAnimatedScene();
+    const auto lampAt = [&](double seconds) -> const SpotLight& {
+        poseAt(LookTime{seconds, ""}, scene);
+        applyLamps(changes, lightMaps, scene);
+        return scene.spotLights[1];
+    };
+    EXPECT_EQ(lampAt(1.0).intensityCandela, 200.0);
+    EXPECT_NEAR(lampAt(1.0).outerConeAngle, 0.3, 1e-7);
+    changes[0].intensity = 7.0;
+    EXPECT_EQ(lampAt(0.0).intensityCandela, 7.0);
+    EXPECT_EQ(lampAt(2.0).intensityCandela, 7.0);
+    EXPECT_NEAR(lampAt(2.0).outerConeAngle, 0.4, 1e-7) << "what the look says nothing of";
+    // The inner cone stays within what the look gives as outer one, and comes back.
+    changes[0].outerConeAngle = 0.25;
+    EXPECT_EQ(lampAt(2.0).outerConeAngle, 0.25);
+    EXPECT_EQ(lampAt(2.0).innerConeAngle, 0.25);
+    EXPECT_NEAR(lampAt(0.0).innerConeAngle, 0.1, 1e-7);
+    changes[0].off = true;
+    EXPECT_EQ(lampAt(1.0).intensityCandela, 0.0);
+    // Taken back, it plays as before.
+    changes.clear();
+    EXPECT_EQ(lampAt(1.0).intensityCandela, 200.0);
+    EXPECT_NEAR(lampAt(1.0).innerConeAngle, 0.2, 1e-7);
+    poseAt(std::nullopt, scene);
+    EXPECT_EQ(scene.spotLights[1].intensityCandela, 100.0);
+}
+
 }  // namespace
 }  // namespace ribalta

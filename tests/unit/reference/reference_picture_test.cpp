@@ -65,6 +65,28 @@ TEST(ReferencePicture, AFloorUnderTheSun) {
     EXPECT_NEAR(lit.surfaces[middle].x - dark.surfaces[middle].x, expected.x, 1e-12);
 }
 
+// Even light of luminance L gives pi L lux, of which a rough surface sends back its albedo times L.
+TEST(ReferencePicture, AnEnvironmentLightsTheFloor) {
+    Scene scene = floorScene(test::makeMaterial(glm::vec3(0.5F)));
+    IrradianceCoefficients even{};
+    const double luminance = 70.0;
+    even[0] = glm::dvec3(std::numbers::pi * luminance * std::sqrt(4.0 * std::numbers::pi));
+    scene.environment.emplace();
+    scene.environment->lux = irradianceForm(even, glm::dmat3(1.0));
+    ReferenceSettings settings = lookingDown();
+    settings.haze.absorptionPerMetre = 0.0;
+    const std::size_t middle = 3 * 9 + 4;
+    EXPECT_NEAR(drawReference(scene, settings).surfaces[middle].x, 0.54 * luminance, 1e-9);
+    // Beside the settings' even light, and from above: y's coefficient.
+    settings.ambientLux = 10.0;
+    even[1] = {0.0, 100.0, 0.0};
+    scene.environment->lux = irradianceForm(even, glm::dmat3(1.0));
+    const double fromAbove = 100.0 * std::sqrt(3.0 / (4.0 * std::numbers::pi));
+    const glm::dvec3 both = drawReference(scene, settings).surfaces[middle];
+    EXPECT_NEAR(both.x, 0.54 * (luminance + 10.0 / std::numbers::pi), 1e-9);
+    EXPECT_NEAR(both.y, both.x + 0.54 * fromAbove / std::numbers::pi, 1e-9);
+}
+
 TEST(ReferencePicture, ALampLightsTheFloorButNotBehindABox) {
     Scene scene = floorScene(test::makeMaterial(glm::vec3(0.8F)));
     scene.spotLights.push_back(test::makeSpot({0.0, 2.0, 0.0}, {0.0, 0.0, 0.0}, 0.6, 500.0));
