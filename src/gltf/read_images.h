@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -13,11 +14,12 @@
 
 #include "base/report.h"
 #include "gltf/import.h"
+#include "gltf/same_bytes.h"
 #include "image/image.h"
 
 namespace ribalta::gltf {
 
-/// Collects the images that something drawn asks for; the same file is decoded once.
+/// Collects the images that something drawn asks for; those with the same bytes are decoded once.
 class ImageTable {
   public:
     explicit ImageTable(const Import& import) : import_(import) {}
@@ -52,7 +54,8 @@ class ImageTable {
         std::shared_ptr<const Image> made{};
     };
 
-    int use(const std::string& key, Request request);
+    /// `source`: where its encoded bytes are, where that is known.
+    int use(const std::string& key, Request request, const std::optional<ByteSource>& source);
     Image decodeOne(const Request& request) const;
     std::filesystem::path resolve(const std::string& uri, const Place& place) const;
     /// Within the budget's memory and pixels.
@@ -62,6 +65,7 @@ class ImageTable {
     std::vector<Request> requests_;
     std::set<std::filesystem::path> files_;
     std::map<std::string, int> known_;
+    SameBytes same_;
 };
 
 }  // namespace ribalta::gltf
