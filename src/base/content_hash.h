@@ -18,8 +18,8 @@ class ContentHash {
     void add(std::span<const std::byte> bytes);
     void add(std::string_view text);
     /// Plain values without padding, such as the elements of a mesh's arrays.
-    template <typename Value>
-    void add(const std::vector<Value>& values) {
+    template <typename Value, typename Allocator>
+    void add(const std::vector<Value, Allocator>& values) {
         static_assert(std::has_unique_object_representations_v<Value> || sizeof(Value) % 4 == 0);
         static_assert(std::is_trivially_copyable_v<Value>);
         addSize(values.size());

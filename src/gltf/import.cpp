@@ -1,6 +1,11 @@
 #include "gltf/import.h"
 
+#include "gltf/mesh_cache.h"
+
 namespace ribalta::gltf {
+
+Import::Import() = default;
+Import::~Import() = default;
 
 const nlohmann::json& member(const nlohmann::json& object, const char* key) {
     static const nlohmann::json kNull;

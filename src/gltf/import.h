@@ -16,6 +16,8 @@
 
 namespace ribalta::gltf {
 
+class MeshCache;
+
 /// The bytes behind one of the file's buffers; empty where the file gives none, as the fallback
 /// buffers of EXT_meshopt_compression.
 struct Buffer {
@@ -27,6 +29,11 @@ struct Buffer {
 /// right. `model` is the same document, typed, with the same indices; it has neither buffers,
 /// images, cameras, animations, skins nor extensions and extras, which are read from `json`.
 struct Import {
+    Import();
+    ~Import();
+    Import(const Import&) = delete;
+    Import& operator=(const Import&) = delete;
+
     Place file;                    ///< the file, pointer empty
     std::filesystem::path folder;  ///< what relative URIs are relative to
     bool allowOutside = false;     ///< whether they may leave it
@@ -35,6 +42,7 @@ struct Import {
     tinygltf::Model model;
     std::vector<Buffer> buffers;
     PackedViews packed;
+    std::unique_ptr<MeshCache> meshCache{};  ///< there when meshes are read
 };
 
 /// The element `index` of a top-level array, or of nothing, as an object to look things up in.

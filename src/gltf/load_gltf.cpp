@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -18,6 +20,7 @@
 #include "gltf/choose_scene.h"
 #include "gltf/choose_variant.h"
 #include "gltf/import.h"
+#include "gltf/mesh_cache.h"
 #include "gltf/parse_model.h"
 #include "gltf/read_animations.h"
 #include "gltf/read_buffers.h"
@@ -138,6 +141,40 @@ std::vector<int> loadMaterials(const Import& import, TextureTable& textures, Sce
     return sceneMaterial;
 }
 
+// The Draco data of the meshes that nodes have, each once, in the file's order. What is wrong with
+// it is said where it is decoded.
+std::vector<std::span<const std::byte>> dracoViews(const Import& import,
+                                                   const std::vector<Node>& nodes) {
+    std::set<std::size_t> meshes;
+    for (const Node& node : nodes) {
+        if (node.mesh >= 0) {
+            meshes.insert(std::size_t(node.mesh));
+        }
+    }
+    std::set<std::size_t> views;
+    for (const std::size_t mesh : meshes) {
+        for (const nlohmann::json& primitive :
+             member(element(import.json, "meshes", mesh), "primitives")) {
+            const nlohmann::json& view =
+                member(extension(primitive, "KHR_draco_mesh_compression"), "bufferView");
+            if (view.is_number_unsigned() && view < import.model.bufferViews.size() &&
+                !isPacked(import, view.get<std::size_t>())) {
+                views.insert(view.get<std::size_t>());
+            }
+        }
+    }
+    std::vector<std::span<const std::byte>> bytes;
+    for (const std::size_t view : views) {
+        const tinygltf::BufferView& place = import.model.bufferViews[view];
+        const std::span<const std::byte> buffer = import.buffers[std::size_t(place.buffer)].bytes;
+        if (place.byteOffset <= buffer.size() &&
+            place.byteLength <= buffer.size() - place.byteOffset) {
+            bytes.push_back(buffer.subspan(place.byteOffset, place.byteLength));
+        }
+    }
+    return bytes;
+}
+
 void takeDocument(const Import& import, std::string_view text) {
     import.budget->takeMemory(jsonMemory(text), import.file);
 }
@@ -233,7 +270,10 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     scene.nodes = std::move(list.nodes);
     watch.lap("animations");
 
+    import.meshCache = std::make_unique<MeshCache>(options.cache, dracoViews(import, scene.nodes));
     const std::vector<std::size_t> meshes = loadMeshes(import, scene, report);
+    loaded.meshesFromCache = import.meshCache->found();
+    import.meshCache->keep();
     reportDataOddities(import, meshes, report);
     watch.lap("meshes");
 

@@ -24,6 +24,9 @@ struct LoadedScene {
     std::vector<std::string> variantNames;       ///< of its material variants; may be empty
     int sceneIndex = -1;                         ///< of these, the one loaded; -1: there is none
 
+    /// Meshes that were found decoded in LoadOptions::cache.
+    std::size_t meshesFromCache = 0;
+
     /// Wall time of a step of loading, in order: parse, meshes, images, ...
     struct Stage {
         std::string name;

@@ -7,6 +7,8 @@
 
 namespace ribalta {
 
+class FileCache;
+
 /// How much a file may ask for. What would go beyond is refused before memory is taken for it. The
 /// defaults are far above any stage's needs and the same on every machine.
 struct LoadLimits {
@@ -36,6 +38,10 @@ struct LoadOptions {
 
     double unitScale = 1.0;       ///< metres of one of the file's units, > 0
     double intensityScale = 1.0;  ///< of all lamps, > 0
+
+    /// Where meshes that took time to decode are kept for the next start; null: nowhere. Outlives
+    /// the load.
+    const FileCache* cache = nullptr;
 
     bool operator==(const LoadOptions&) const = default;
 };

@@ -10,6 +10,7 @@
 
 #include "gltf/bad_input.h"
 #include "gltf/decode_draco.h"
+#include "gltf/mesh_cache.h"
 #include "gltf/read_accessor.h"
 #include "gltf/read_buffers.h"
 
@@ -165,7 +166,8 @@ void readFromDraco(const Import& import, const tinygltf::Primitive& source, cons
         readDracoWishes(import, source, ids, joints != nullptr, place, report);
     const std::size_t expectedFaces =
         source.indices >= 0 ? import.model.accessors[std::size_t(source.indices)].count / 3 : 0;
-    DracoMesh mesh = decodeDraco(viewBytes(import, view.get<std::size_t>()), wishes.requests,
+    DracoMesh mesh =
+        import.meshCache->decode(viewBytes(import, view.get<std::size_t>()), wishes.requests,
                                  expectedFaces, *import.budget, place);
     for (std::size_t i = 0; i < wishes.names.size(); ++i) {
         const std::string& name = wishes.names[i];

@@ -30,10 +30,15 @@ std::string identityOf(const std::filesystem::path& path) {
 
 }  // namespace
 
-int ImageTable::use(const std::string& key, Request request) {
-    const auto [entry, isNew] = known_.emplace(key, int(requests_.size()));
+int ImageTable::use(const std::string& key, Request request,
+                    const std::optional<ByteSource>& source) {
+    const int next = int(requests_.size());
+    const auto [entry, isNew] = known_.emplace(key, next);
     if (isNew) {
-        requests_.push_back(std::move(request));
+        entry->second = source ? same_.firstLike(*source, next) : next;
+        if (entry->second == next) {
+            requests_.push_back(std::move(request));
+        }
     }
     return entry->second;
 }
@@ -46,6 +51,7 @@ int ImageTable::useImage(std::size_t image) {
     Request request{place, name.is_string() ? name.get<std::string>() : std::string(), int(image),
                     ""};
     std::string key = "image " + std::to_string(image);
+    std::optional<ByteSource> bytes;
     if (uri.is_string() && !isDataUri(uri.get_ref<const std::string&>())) {
         const auto& text = uri.get_ref<const std::string&>();
         if (request.name.empty()) {
@@ -57,20 +63,31 @@ int ImageTable::useImage(std::size_t image) {
             if (!file.empty()) {
                 key = file;
                 files_.insert(file);
+                bytes = std::filesystem::path(file);
                 request.found = std::move(found);
             }
         } catch (const Error&) {
             // Found again, and reported, when it is decoded.
         }
     }
+    if (uri.is_string() && isDataUri(uri.get_ref<const std::string&>())) {
+        bytes = std::as_bytes(std::span(uri.get_ref<const std::string&>()));
+    }
     const json& view = member(source, "bufferView");
     if (!uri.is_string() && view.is_number_integer()) {
         key = "bufferView " + view.dump();
+        try {
+            bytes = viewBytes(import_, view.get<std::size_t>());
+        } catch (const LimitError&) {
+            throw;
+        } catch (const Error&) {
+            // As above.
+        }
     }
     if (request.name.empty()) {
         request.name = "image_" + std::to_string(image);
     }
-    return use(key, std::move(request));
+    return use(key, std::move(request), bytes);
 }
 
 int ImageTable::useFile(const std::string& written, const Place& place, Report& report) {
@@ -78,6 +95,7 @@ int ImageTable::useFile(const std::string& written, const Place& place, Report& 
         findArtistsFile(written, import_.folder, import_.allowOutside, place);
     const std::string& path = found ? found->path : written;
     std::string key = "path " + path;
+    std::optional<ByteSource> bytes;
     if (found) {
         tellOfFound(written, *found, place, report);
         const std::string file =
@@ -85,15 +103,16 @@ int ImageTable::useFile(const std::string& written, const Place& place, Report& 
         if (!file.empty()) {
             key = file;
             files_.insert(file);
+            bytes = std::filesystem::path(file);
         }
     }
-    return use(key, {place, path, -1, path});
+    return use(key, {place, path, -1, path}, bytes);
 }
 
 int ImageTable::useMade(const std::string& key, Image image) {
     Request request{import_.file, image.name, -1, ""};
     request.made = std::make_shared<const Image>(std::move(image));
-    return use("made " + key, std::move(request));
+    return use("made " + key, std::move(request), std::nullopt);
 }
 
 void ImageTable::noteFile(const std::filesystem::path& file) {

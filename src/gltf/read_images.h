@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -14,11 +15,12 @@
 
 #include "base/report.h"
 #include "gltf/import.h"
+#include "gltf/same_bytes.h"
 #include "image/image.h"
 
 namespace ribalta::gltf {
 
-/// Collects the images that something drawn asks for; the same file is decoded once.
+/// Collects the images that something drawn asks for; those with the same bytes are decoded once.
 class ImageTable {
   public:
     explicit ImageTable(const Import& import) : import_(import) {}
@@ -61,7 +63,8 @@ class ImageTable {
         std::filesystem::path found{};  // of an image with a URI: the file, where it is there
     };
 
-    int use(const std::string& key, Request request);
+    /// `source`: where its encoded bytes are, where that is known.
+    int use(const std::string& key, Request request, const std::optional<ByteSource>& source);
     Image decodeOne(const Request& request) const;
     /// Within the budget's memory and pixels.
     Image decodeWithin(std::span<const std::byte> encoded, const Place& place) const;
@@ -72,6 +75,7 @@ class ImageTable {
     std::map<std::string, int> known_;
     Report notes_;
     int searchesLeft_ = kMostSearches;
+    SameBytes same_;
 };
 
 }  // namespace ribalta::gltf

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel_for.h"
@@ -17,6 +19,7 @@
 #include "gltf/read_deformers.h"
 #include "gltf/read_influences.h"
 #include "gltf/read_targets.h"
+#include "gltf/share_geometry.h"
 #include "gltf/tally.h"
 
 namespace ribalta::gltf {
@@ -31,6 +34,7 @@ struct Job {
     std::optional<Primitive> result;
     std::optional<Error> fault;  // why there is no result, where the file is to blame
     Report report;
+    const Job* twin = nullptr;  // which reads the same data in the same way
 };
 
 // How many displacements of morph targets may still be read, of all primitives together.
@@ -240,11 +244,54 @@ std::vector<Job> listJobs(const Import& import, const std::vector<MeshUse>& want
     return jobs;
 }
 
+// All that a primitive is read from, but for its material. None where it changes shape: what hangs
+// on joints or has targets is read for its node.
+using Source = std::tuple<std::map<std::string, int>, int, int, int, std::string>;
+
+std::optional<Source> sourceOf(const Import& import, const TangentUvs& tangentUvs, const Job& job) {
+    if (job.use.isMorphed || job.use.joints > 0) {
+        return std::nullopt;
+    }
+    const tinygltf::Primitive& source = import.model.meshes[job.use.mesh].primitives[job.primitive];
+    const json& object = element(import.json, "meshes", job.use.mesh)["primitives"][job.primitive];
+    const json& draco = extension(object, "KHR_draco_mesh_compression");
+    const std::size_t material =
+        source.material >= 0 ? std::size_t(source.material) : tangentUvs.size() - 1;
+    return Source(source.attributes, source.indices, source.mode, tangentUvs[material],
+                  draco.is_null() ? "" : draco.dump());
+}
+
+void findTwins(const Import& import, const TangentUvs& tangentUvs, std::vector<Job>& jobs) {
+    std::map<Source, const Job*> first;
+    for (Job& job : jobs) {
+        if (std::optional<Source> source = sourceOf(import, tangentUvs, job)) {
+            const auto [known, isNew] = first.emplace(std::move(*source), &job);
+            job.twin = isNew ? nullptr : known->second;
+        }
+    }
+}
+
+// Only where there is nothing to report, which would be of another place.
+bool copyTwin(const Import& import, Job& job) {
+    if (!job.twin->result || !job.twin->report.entries().empty()) {
+        return false;
+    }
+    const Primitive& twin = *job.twin->result;
+    const Place place =
+        import.file.at("meshes").at(job.use.mesh).at("primitives").at(job.primitive);
+    const std::size_t vertices = twin.positions.size();
+    import.budget->takeVertices(vertices + twin.indices.size(), place);
+    import.budget->takeMemory(bytesOf(twin, vertices, twin.indices.size()), place);
+    job.result = twin;
+    job.result->material = import.model.meshes[job.use.mesh].primitives[job.primitive].material;
+    return true;
+}
+
 void runJobs(const Import& import, const TangentUvs& tangentUvs, std::vector<Job>& jobs) {
+    findTwins(import, tangentUvs, jobs);
     Displacements left;
     Progress progress("decoding meshes", jobs.size());
-    parallelFor(jobs.size(), [&](std::size_t i) {
-        Job& job = jobs[i];
+    const auto run = [&](Job& job) {
         try {
             job.result =
                 readPrimitive(import, tangentUvs, job.use, job.primitive, left, job.report);
@@ -254,6 +301,16 @@ void runJobs(const Import& import, const TangentUvs& tangentUvs, std::vector<Job
             job.fault = error;
         }
         progress.step();
+    };
+    parallelFor(jobs.size(), [&](std::size_t i) {
+        if (jobs[i].twin == nullptr) {
+            run(jobs[i]);
+        }
+    });
+    parallelFor(jobs.size(), [&](std::size_t i) {
+        if (jobs[i].twin != nullptr && !copyTwin(import, jobs[i])) {
+            run(jobs[i]);
+        }
     });
 }
 
@@ -293,6 +350,7 @@ std::vector<Mesh> readMeshes(const Import& import, const std::vector<MeshUse>& w
             }
         }
     }
+    shareGeometry(meshes);
     return meshes;
 }
 

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/raw_bytes.h"
+
 namespace ribalta {
 
 /// A decoded picture for textures and light maps. Always four channels (R, G, B, A; grey is
@@ -23,7 +25,7 @@ struct Image {
     int width = 0;     ///< pixels
     int height = 0;    ///< pixels
     Type type = Type::kUint8;
-    std::vector<std::byte> pixels;  ///< width * height * 4 channels, tightly packed
+    RawBytes pixels;  ///< width * height * 4 channels, tightly packed
 
     std::size_t bytesPerPixel() const { return type == Type::kUint8 ? 4 : 16; }
 };

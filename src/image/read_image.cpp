@@ -1,11 +1,15 @@
 #include "image/read_image.h"
 
+#include <new>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/read_file.h"
 #include "image/claimed_size.h"
+#include "image/decode_jpeg.h"
+#include "image/decode_png.h"
 #include "image/essential_chunks.h"
 #include "image/image_codec.h"
 #include "image/image_format.h"
@@ -23,6 +27,26 @@ ImageFormat knownFormat(std::span<const std::byte> encoded, const Place& place) 
     return format;
 }
 
+std::string faultOf(std::span<const std::byte> encoded, ImageFormat format,
+                    const ImageLimits& limits) {
+    // Libraries take memory for a size that is merely claimed, some as soon as a file is opened.
+    const std::optional<ClaimedSize> claimed = claimedSize(encoded, format);
+    return claimed ? sizeFault(claimed->width, claimed->height, limits) : "";
+}
+
+// Without the image module, whose libraries take longer to open than a picture to decode.
+std::optional<Image> decodeDirectly(std::span<const std::byte> encoded, ImageFormat format,
+                                    const ImageLimits& limits) {
+    if (format == ImageFormat::kPng) {
+        return decodePlainPng(encoded, limits);
+    }
+    // A library of JPEGs fills in grey what is missing.
+    if (format == ImageFormat::kJpeg && essentialChunks(encoded, format).wrong.empty()) {
+        return decodePlainJpeg(encoded, limits);
+    }
+    return std::nullopt;
+}
+
 // Decodes by one of the codec's two functions, with what is wrong as an Error.
 template <typename Result>
 Result decodeBy(std::string (*ImageCodec::*decode)(std::span<const std::byte>, ImageFormat,
@@ -30,12 +54,8 @@ Result decodeBy(std::string (*ImageCodec::*decode)(std::span<const std::byte>, I
                 std::span<const std::byte> encoded, const Place& place, const ImageLimits& limits) {
     const ImageFormat format = knownFormat(encoded, place);
     const EssentialChunks essential = essentialChunks(encoded, format);
-    std::string wrong = essential.wrong;
-    // Libraries take memory for a size that is merely claimed, some as soon as a file is opened.
-    const std::optional<ClaimedSize> claimed = claimedSize(encoded, format);
-    if (wrong.empty() && claimed) {
-        wrong = sizeFault(claimed->width, claimed->height, limits);
-    }
+    std::string wrong =
+        essential.wrong.empty() ? faultOf(encoded, format, limits) : essential.wrong;
     Result result;
     if (wrong.empty()) {
         const std::span<const std::byte> whole =
@@ -52,7 +72,14 @@ Result decodeBy(std::string (*ImageCodec::*decode)(std::span<const std::byte>, I
 
 Image decodeImage(std::span<const std::byte> encoded, const Place& place,
                   const ImageLimits& limits) {
-    Image image = decodeBy(&ImageCodec::decode, encoded, place, limits);
+    std::optional<Image> direct;
+    try {
+        direct = decodeDirectly(encoded, imageFormat(encoded), limits);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorKind::kBadInput, place, "does not fit into memory; scale it down");
+    }
+    Image image =
+        direct ? std::move(*direct) : decodeBy(&ImageCodec::decode, encoded, place, limits);
     image.name = place.text();
     return image;
 }

@@ -209,6 +209,18 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     };
     // Meshes that are drawn deformed alone need no vertices of their own; those that no node has
     // may be given to one later.
+    std::map<int, std::size_t> sharedIndices;   // where they lie
+    std::map<int, std::size_t> sharedVertices;  // where they lie, of those drawn at rest
+    const auto appendIndices = [&](const Primitive& primitive) {
+        const auto [place, isNew] =
+            sharedIndices.emplace(primitive.sharedIndices, indices.size() * sizeof(std::uint32_t));
+        if (primitive.sharedIndices >= 0 && !isNew) {
+            return place->second;
+        }
+        const std::size_t offset = indices.size() * sizeof(std::uint32_t);
+        indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
+        return offset;
+    };
     std::vector<bool> isOfNode(scene.meshes.size(), false);
     std::vector<bool> isDrawnAtRest(scene.meshes.size(), false);
     for (const Node& node : scene.nodes) {
@@ -222,9 +234,15 @@ void GpuScene::uploadGeometry(const Scene& scene) {
         std::vector<Geometry>& list = geometry_.emplace_back();
         for (const Primitive& primitive : scene.meshes[m].primitives) {
             list.push_back({modeOf(primitive.topology), GLsizei(primitive.indices.size()),
-                            indices.size() * sizeof(std::uint32_t), GLint(positions.size())});
-            indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-            if (isDrawnAtRest[m] || !isOfNode[m]) {
+                            appendIndices(primitive), GLint(positions.size())});
+            if (!isDrawnAtRest[m] && isOfNode[m]) {
+                continue;
+            }
+            const auto [place, isNew] =
+                sharedVertices.emplace(primitive.sharedVertices, positions.size());
+            if (primitive.sharedVertices >= 0 && !isNew) {
+                list.back().baseVertex = GLint(place->second);
+            } else {
                 appendVertices(primitive);
             }
         }

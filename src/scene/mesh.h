@@ -49,6 +49,11 @@ struct Primitive {
     std::vector<MorphTarget> targets;
     /// The file has none: those of whole triangles, which lie in `positions` three by three.
     bool flatNormals = false;
+
+    // Which need to be in memory but once where they are drawn from: primitives with the same
+    // number, other than -1, have equal vertices (all arrays but the indices), or equal indices.
+    int sharedVertices = -1;
+    int sharedIndices = -1;
 };
 
 struct Mesh {

@@ -1,6 +1,7 @@
 #include "support/make_png.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 namespace ribalta::test {
@@ -52,6 +53,42 @@ std::string stored(const std::string& bytes) {
     return stream + bigEndian(b << 16 | a);
 }
 
+// What a filter takes from a byte: of its neighbours to the left, above, and above to the left.
+int predicted(int filter, int left, int up, int upLeft) {
+    const int gradient = left + up - upLeft;
+    const int apart[] = {std::abs(gradient - left), std::abs(gradient - up),
+                         std::abs(gradient - upLeft)};
+    const int nearest = apart[0] <= apart[1] && apart[0] <= apart[2] ? left
+                        : apart[1] <= apart[2]                       ? up
+                                                                     : upLeft;
+    const int by[] = {0, left, up, (left + up) / 2, nearest};
+    return by[filter];
+}
+
+std::string filtered(const std::string& row, const std::string& above, std::size_t pixelBytes,
+                     int filter) {
+    std::string result(1, static_cast<char>(filter));
+    const auto at = [](const std::string& bytes, std::size_t i, std::size_t back) {
+        return i < back || i - back >= bytes.size()
+                   ? 0
+                   : int(static_cast<unsigned char>(bytes[i - back]));
+    };
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        result +=
+            static_cast<char>(at(row, i, 0) - predicted(filter, at(row, i, pixelBytes),
+                                                        at(above, i, 0), at(above, i, pixelBytes)));
+    }
+    return result;
+}
+
+std::size_t pixelBytesOf(const PngParts& parts) {
+    const int channels = parts.colorType == 2   ? 3
+                         : parts.colorType == 4 ? 2
+                         : parts.colorType == 6 ? 4
+                                                : 1;
+    return std::max<std::size_t>(1, std::size_t(channels * parts.bitDepth) / 8);
+}
+
 }  // namespace
 
 std::vector<std::byte> makePng(const PngParts& parts) {
@@ -60,8 +97,11 @@ std::vector<std::byte> makePng(const PngParts& parts) {
     header += static_cast<char>(parts.colorType);
     header += std::string(3, '\0');  // deflate, filters by row, not interlaced
     std::string pixels;
-    for (const std::string& row : parts.rows) {
-        pixels += '\0' + row;
+    std::string above;
+    for (std::size_t y = 0; y < parts.rows.size(); ++y) {
+        const int filter = y < parts.filters.size() ? parts.filters[y] : 0;
+        pixels += filtered(parts.rows[y], above, pixelBytesOf(parts), filter);
+        above = parts.rows[y];
     }
     std::string file = "\x89PNG\r\n\x1a\n" + chunk("IHDR", header);
     for (const auto& [type, content] : parts.extra) {

@@ -16,6 +16,8 @@ struct PngParts {
     int colorType = 6;  ///< 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA
     /// Rows as the file holds them, without filter bytes; all of one length.
     std::vector<std::string> rows{};
+    /// The filter (0..4) of each row, from the first on; those after them have none.
+    std::vector<int> filters{};
     std::string palette{};       ///< PLTE: R, G, B of every entry
     std::string transparency{};  ///< tRNS
     /// Chunks put in before the pixels as they are: type and content.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "base/file_cache.h"
 
@@ -11,14 +12,16 @@ class App;
 
 namespace ribalta {
 
-/// The flag --no-cache. Must outlive the parsing of the command it is added to.
+/// The options --no-cache and --cache-limit. Must outlive the parsing of the command it is added
+/// to.
 struct CacheOptions {
     bool off = false;
+    std::optional<std::string> limit;
 
     void addTo(CLI::App& command);
 
     /// None where it is switched off, or where there is no folder for caches; the latter is said
-    /// with --verbose.
+    /// with --verbose. Throws CLI::ValidationError where the limit is no number of bytes.
     std::optional<FileCache> cache() const;
 };
 

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "cache_options.h"
 #include "gltf/load_gltf.h"
 #include "loading_options.h"
 #include "outcome_table.h"
@@ -27,6 +28,7 @@ struct InspectOptions {
     std::string scene;
     bool isSceneGiven = false;
     LoadingOptions loading;
+    CacheOptions cache;
     bool all = false;
     bool strict = false;
     std::vector<std::string> table;
@@ -315,7 +317,10 @@ void inspect(const InspectOptions& options) {
     if (!options.isSceneGiven) {
         throw CLI::RequiredError("scene");
     }
-    const LoadedScene loaded = load(options.scene, options.loading.parsed());
+    const std::optional<FileCache> cache = options.cache.cache();
+    LoadOptions loading = options.loading.parsed();
+    loading.cache = cache ? &*cache : nullptr;
+    const LoadedScene loaded = load(options.scene, loading);
     const bool all = options.all;
     std::printf("%s\n", options.scene.c_str());
     printScenes(loaded);
@@ -329,6 +334,9 @@ void inspect(const InspectOptions& options) {
     for (const Report::Entry& entry : loaded.report.entries()) {
         std::printf("  %s: %s: %s\n", name(entry.kind), oneLine(entry.place.pointer).c_str(),
                     oneLine(entry.message).c_str());
+    }
+    if (loaded.meshesFromCache > 0) {
+        std::printf("cache      %zu meshes were found decoded\n", loaded.meshesFromCache);
     }
     for (const LoadedScene::Stage& stage : loaded.stages) {
         std::printf("load       %-10s %9.2f ms\n", stage.name.c_str(), stage.ms);
@@ -356,6 +364,7 @@ void addInspectCommand(CLI::App& app) {
         ->type_name("FILE|FOLDER")
         ->excludes(scene);
     options->loading.addTo(*command);
+    options->cache.addTo(*command);
     command->add_flag("--all", options->all, "list every mesh and animation, not only ten");
     command->add_flag("--strict", options->strict,
                       "make every line of the report an error on stderr, and end with exit code 3 "

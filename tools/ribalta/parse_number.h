@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -24,6 +25,24 @@ std::optional<Number> parseNumber(std::string_view text) {
         }
     }
     return value;
+}
+
+/// "64M" and the like, at least 1: K, M, G are thousands, millions and billions.
+inline std::optional<std::uint64_t> parseCount(std::string_view text) {
+    std::uint64_t unit = 1;
+    if (!text.empty()) {
+        const std::size_t suffix = std::string_view("KMG").find(text.back());
+        if (suffix != std::string_view::npos) {
+            constexpr std::uint64_t kUnits[] = {1'000, 1'000'000, 1'000'000'000};
+            unit = kUnits[suffix];
+            text.remove_suffix(1);
+        }
+    }
+    const std::optional<std::uint64_t> count = parseNumber<std::uint64_t>(text);
+    if (!count || *count == 0 || *count > UINT64_MAX / unit) {
+        return std::nullopt;
+    }
+    return *count * unit;
 }
 
 }  // namespace ribalta

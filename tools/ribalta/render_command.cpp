@@ -211,7 +211,10 @@ void render(RenderOptions& options) {
         checkOutputs(outputs);
     }
 
-    LoadedScene loaded = loadScene(options.scene, options.loading.parsed());
+    const std::optional<FileCache> cache = options.cache.cache();
+    LoadOptions loading = options.loading.parsed();
+    loading.cache = cache ? &*cache : nullptr;
+    LoadedScene loaded = loadScene(options.scene, loading);
     options.animation.pose(loaded.scene, look.time);
     BroughtLook broughtLook(look, loaded);
     if (options.look.file) {
@@ -238,8 +241,6 @@ void render(RenderOptions& options) {
     const GlCounters before = glCounters();
     start = Clock::now();
     std::optional<Progress> progress(std::in_place, "uploading");
-    const std::optional<FileCache> cache =
-        settings.sky ? options.cache.cache() : std::optional<FileCache>();
     Renderer renderer(loaded.scene, cache ? &*cache : nullptr);
     progress.reset();
     const double uploadMs = msSince(start);

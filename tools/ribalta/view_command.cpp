@@ -52,7 +52,9 @@ void view(const ViewOptions& options) {
     if (!options.scene.empty()) {
         viewer.scene = options.scene;
     }
+    const std::optional<FileCache> cache = options.cache.cache();
     viewer.loading = options.loading.parsed();
+    viewer.loading.cache = cache ? &*cache : nullptr;
     viewer.look = options.look.read();
     viewer.lookFile = options.look.file.value_or("");
     if (options.size) {
@@ -62,7 +64,7 @@ void view(const ViewOptions& options) {
     viewer.showPanels = !options.noPanels;
     viewer.pictures = options.pictures;
     viewer.shaders = options.shaders;
-    viewer.cache = options.cache.cache();
+    viewer.cache = cache;
     const ViewerStats stats = runViewer(std::move(viewer));
     if (!options.stats.empty()) {
         writeViewerStats(options.stats, stats);

@@ -192,7 +192,7 @@ std::vector<T> readRgba(OpenPicture& picture, TypeDesc type, const ImageLimits& 
 
 // Red, green, blue and perhaps alpha as they stand in the file, as most do, go straight to where
 // they stay: large pictures would else be in memory three times.
-std::optional<std::vector<std::byte>> readInPlace(OpenPicture& picture) {
+std::optional<RawBytes> readInPlace(OpenPicture& picture) {
     const ColourChannels channels = colourChannels(picture.spec);
     const auto [red, green, blue, alpha] = channels.index;
     const bool isPremultiplied = picture.spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
@@ -201,7 +201,7 @@ std::optional<std::vector<std::byte>> readInPlace(OpenPicture& picture) {
         return std::nullopt;
     }
     const std::size_t pixels = std::size_t(picture.spec.width) * std::size_t(picture.spec.height);
-    std::vector<std::byte> rgba(pixels * 4, std::byte(255));
+    RawBytes rgba(pixels * 4, std::byte(255));
     if (!picture.input->read_image(0, 0, red, channels.last() + 1, TypeDesc::UINT8, rgba.data(),
                                    4)) {
         broken(picture.format, picture.input->geterror());
@@ -241,8 +241,8 @@ std::vector<float> intoDisplayWindow(const std::vector<float>& stored, const Ima
 }
 
 template <typename T>
-std::vector<std::byte> asBytes(const std::vector<T>& values) {
-    std::vector<std::byte> bytes(values.size() * sizeof(T));
+RawBytes asBytes(const std::vector<T>& values) {
+    RawBytes bytes(values.size() * sizeof(T));
     std::memcpy(bytes.data(), values.data(), bytes.size());
     return bytes;
 }

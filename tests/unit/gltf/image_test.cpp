@@ -67,6 +67,41 @@ TEST(GltfImageTest, TheSameFileIsDecodedOnce) {
     EXPECT_EQ(loaded.scene.images.size(), 1U);
 }
 
+TEST(GltfImageTest, EqualBytesAreDecodedOnceWhereverTheyLie) {
+    const std::vector<std::byte> blue =
+        makePng({.width = 1, .height = 1, .rows = {std::string("\x00\x00\xff\xff", 4)}});
+    ASSERT_EQ(blue.size(), redPng().size());
+    const TestFolder folder;
+    folder.write("red.png", redPng());
+    folder.write("copy.png", redPng());
+    folder.write("blue.png", blue);
+    GltfFile file = fileWith({{"uri", "red.png"}});
+    const json sources[] = {{{"uri", "copy.png"}},
+                            {{"bufferView", file.addView(redPng())}, {"mimeType", "image/png"}},
+                            {{"bufferView", file.addView(redPng())}, {"mimeType", "image/png"}},
+                            {{"uri", "blue.png"}},
+                            {{"bufferView", file.addView(blue)}, {"mimeType", "image/png"}}};
+    for (const json& source : sources) {
+        const int texture = file.push("textures", {{"source", file.push("images", source)}});
+        json primitive = file.json["meshes"][0]["primitives"][0];
+        primitive["material"] = file.push(
+            "materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+        file.json["meshes"][0]["primitives"].push_back(primitive);
+    }
+    const LoadedScene loaded = load(file.writeTo(folder));
+    EXPECT_EQ(reportText(loaded), "");
+    ASSERT_EQ(loaded.scene.images.size(), 2U);
+    EXPECT_TRUE(isRed(loaded));
+    EXPECT_EQ(loaded.scene.images[1].pixels[2], std::byte(255));
+    const int expected[] = {0, 0, 0, 0, 1, 1};
+    ASSERT_EQ(loaded.scene.textures.size(), std::size(expected));
+    for (std::size_t i = 0; i < std::size(expected); ++i) {
+        EXPECT_EQ(loaded.scene.textures[i].image, expected[i]) << i;
+    }
+    // What is watched for changes, all the same.
+    EXPECT_EQ(loaded.files.size(), 4U);
+}
+
 TEST(GltfImageTest, WebPStandsForThePlainSource) {
     const TestFolder folder;
     folder.write("red.png", redPng());

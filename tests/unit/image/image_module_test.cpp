@@ -1,4 +1,4 @@
-// The picture libraries are opened when the first picture is, and not before.
+// The picture libraries are opened when the first picture needs them, and not before.
 
 #include <fstream>
 #include <string>
@@ -26,10 +26,15 @@ TEST(ImageModule, IsOpenedOnFirstUse) {
     EXPECT_FALSE(isLoaded("libOpenImageIO.so"));
     EXPECT_FALSE(isLoaded("ribalta_image_io.so"));
 
-    const std::string file = RIBALTA_SOURCE_DIR "/tests/unit/image/data/grey.jpg";
-    const Image image = decodeImage(readFile(file), {file, ""});
-    EXPECT_EQ(image.width, 16);
+    const auto decode = [](const std::string& name) {
+        const std::string file = RIBALTA_SOURCE_DIR "/tests/unit/image/data/" + name;
+        return decodeImage(readFile(file), {file, ""});
+    };
+    EXPECT_EQ(decode("grey.jpg").width, 16);
+    EXPECT_FALSE(isLoaded("libOpenImageIO.so"));
+    EXPECT_FALSE(isLoaded("ribalta_image_io.so"));
 
+    EXPECT_GT(decode("alpha16.tif").width, 0);
     EXPECT_TRUE(isLoaded("libOpenImageIO.so"));
     EXPECT_TRUE(isLoaded("ribalta_image_io.so"));
 }
