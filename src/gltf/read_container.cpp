@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "base/text_of.h"
+#include "base/bytes.h"
 #include "gltf/bad_input.h"
 
 namespace ribalta::gltf {
@@ -16,26 +16,18 @@ constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinChunk = 0x004E4942;
 
-std::uint32_t littleEndian32(const std::byte* bytes) {
-    std::uint32_t value = 0;
-    for (int i = 3; i >= 0; --i) {
-        value = (value << 8U) | std::to_integer<std::uint32_t>(bytes[i]);
-    }
-    return value;
-}
-
 void splitGlb(Container& container, const Place& file) {
     const std::vector<std::byte>& bytes = container.bytes;
     if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
         badInput(file, "is a GLB cut off after " + std::to_string(bytes.size()) +
                            " bytes; export or copy it again");
     }
-    const std::uint32_t version = littleEndian32(&bytes[4]);
+    const std::uint32_t version = littleEndian(bytes, 4, 4);
     if (version != 2) {
         badInput(file, "is a GLB of version " + std::to_string(version) +
                            ", expected 2; export it as glTF 2.0");
     }
-    const std::size_t length = littleEndian32(&bytes[8]);
+    const std::size_t length = littleEndian(bytes, 8, 4);
     if (length > bytes.size()) {
         badInput(file, "is a truncated GLB: its header promises " + std::to_string(length) +
                            " bytes, the file has " + std::to_string(bytes.size()) +
@@ -43,8 +35,8 @@ void splitGlb(Container& container, const Place& file) {
     }
     std::size_t at = kHeaderBytes;
     for (int chunk = 0; at + kChunkHeaderBytes <= length; ++chunk) {
-        const std::size_t size = littleEndian32(&bytes[at]);
-        const std::uint32_t type = littleEndian32(&bytes[at + 4]);
+        const std::size_t size = littleEndian(bytes, at, 4);
+        const std::uint32_t type = littleEndian(bytes, at + 4, 4);
         at += kChunkHeaderBytes;
         if (size > length - at) {
             badInput(file, "is a damaged GLB: chunk " + std::to_string(chunk) + " has " +

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/read_file.h"
-#include "base/text_of.h"
+#include "base/bytes.h"
 #include "gltf/bad_input.h"
 #include "gltf/parse_ies.h"
 #include "gltf/read_buffers.h"

@@ -5,30 +5,19 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/bytes.h"
+
 namespace ribalta {
 namespace {
 
 using Bytes = std::span<const std::byte>;
-
-std::uint32_t number(Bytes bytes, std::size_t offset, std::size_t size, bool bigEndian) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        const std::size_t at = offset + (bigEndian ? i : size - 1 - i);
-        value = value << 8U | std::to_integer<std::uint32_t>(bytes[at]);
-    }
-    return value;
-}
-
-std::string_view textOf(Bytes bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 // Signature, then the chunk IHDR (PNG specification, section 11.2.2).
 std::optional<ClaimedSize> ofPng(Bytes file) {
     if (file.size() < 24 || textOf(file.subspan(12, 4)) != "IHDR") {
         return std::nullopt;
     }
-    return ClaimedSize{number(file, 16, 4, true), number(file, 20, 4, true)};
+    return ClaimedSize{bigEndian(file, 16, 4), bigEndian(file, 20, 4)};
 }
 
 // The largest of all frame headers (ITU-T T.81, B.2.2): a decoder may take any for the picture's.
@@ -49,13 +38,13 @@ std::optional<ClaimedSize> ofJpeg(Bytes file) {
         const bool isFrame =
             marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
         if (isFrame) {
-            const std::int64_t width = number(file, at + 7, 2, true);
-            const std::int64_t height = number(file, at + 5, 2, true);
+            const std::int64_t width = bigEndian(file, at + 7, 2);
+            const std::int64_t height = bigEndian(file, at + 5, 2);
             if (!size || width * height > size->width * size->height) {
                 size = ClaimedSize{width, height};
             }
         }
-        at += 2 + number(file, at + 2, 2, true);
+        at += 2 + bigEndian(file, at + 2, 2);
     }
     return size;
 }
@@ -65,21 +54,22 @@ std::optional<ClaimedSize> ofTiff(Bytes file) {
     if (file.size() < 8) {
         return std::nullopt;
     }
-    const bool bigEndian = file[0] == std::byte('M');
-    const std::size_t directory = number(file, 4, 4, bigEndian);
+    const bool isBigEndian = file[0] == std::byte('M');
+    const auto number = isBigEndian ? bigEndian : littleEndian;
+    const std::size_t directory = number(file, 4, 4);
     if (directory > file.size() - 2) {
         return std::nullopt;
     }
     ClaimedSize size{0, 0, 16};
-    const std::size_t count = number(file, directory, 2, bigEndian);
+    const std::size_t count = number(file, directory, 2);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t entry = directory + 2 + 12 * i;
         if (entry + 12 > file.size()) {
             return std::nullopt;
         }
-        const std::uint32_t tag = number(file, entry, 2, bigEndian);
-        const bool isShort = number(file, entry + 2, 2, bigEndian) == 3;
-        const std::uint32_t value = number(file, entry + 8, isShort ? 2 : 4, bigEndian);
+        const std::uint32_t tag = number(file, entry, 2);
+        const bool isShort = number(file, entry + 2, 2) == 3;
+        const std::uint32_t value = number(file, entry + 8, isShort ? 2 : 4);
         if (tag == 256) {
             size.width = value;
         } else if (tag == 257) {
@@ -102,7 +92,7 @@ std::optional<ClaimedSize> ofOpenExr(Bytes file) {
             return std::nullopt;
         }
         const std::string_view name = text.substr(at, nameEnd - at);
-        const std::size_t length = number(file, typeEnd + 1, 4, false);
+        const std::size_t length = littleEndian(file, typeEnd + 1, 4);
         const std::size_t value = typeEnd + 5;
         if (length > text.size() - value) {
             return std::nullopt;
@@ -150,15 +140,15 @@ std::optional<ClaimedSize> ofWebp(Bytes file) {
     }
     const std::string_view kind = textOf(file.subspan(12, 4));
     if (kind == "VP8X") {
-        return ClaimedSize{1 + number(file, 24, 3, false), 1 + number(file, 27, 3, false)};
+        return ClaimedSize{1 + littleEndian(file, 24, 3), 1 + littleEndian(file, 27, 3)};
     }
     if (kind == "VP8L") {
-        const std::uint32_t bits = number(file, 21, 4, false);
+        const std::uint32_t bits = littleEndian(file, 21, 4);
         return ClaimedSize{1 + (bits & 0x3FFFU), 1 + ((bits >> 14U) & 0x3FFFU)};
     }
     if (kind == "VP8 ") {
-        return ClaimedSize{number(file, 26, 2, false) & 0x3FFFU,
-                           number(file, 28, 2, false) & 0x3FFFU};
+        return ClaimedSize{littleEndian(file, 26, 2) & 0x3FFFU,
+                           littleEndian(file, 28, 2) & 0x3FFFU};
     }
     return std::nullopt;
 }

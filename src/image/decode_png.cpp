@@ -11,6 +11,7 @@
 
 #include <libdeflate.h>
 
+#include "base/bytes.h"
 #include "image/unfilter_png.h"
 
 namespace ribalta {
@@ -22,14 +23,6 @@ constexpr std::size_t kSignature = 8;
 constexpr std::size_t kAroundData = 12;  // length, type, CRC
 
 enum ColorType : int { kGrey = 0, kRgb = 2, kPalette = 3, kGreyAlpha = 4, kRgba = 6 };
-
-std::uint32_t bigEndian(Bytes bytes, std::size_t offset, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        value = value << 8U | std::to_integer<std::uint32_t>(bytes[offset + i]);
-    }
-    return value;
-}
 
 struct Header {
     int width = 0;

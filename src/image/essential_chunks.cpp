@@ -5,18 +5,12 @@
 #include <cstring>
 #include <string_view>
 
+#include "base/bytes.h"
+
 namespace ribalta {
 namespace {
 
 using Bytes = std::span<const std::byte>;
-
-std::uint32_t bigEndian(Bytes bytes, std::size_t offset, std::size_t size) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        value = value << 8 | std::to_integer<std::uint32_t>(bytes[offset + i]);
-    }
-    return value;
-}
 
 // PNG's CRC (PNG specification, annex D), four bits at a step.
 std::uint32_t crc32(Bytes bytes) {

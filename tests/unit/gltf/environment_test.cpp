@@ -24,7 +24,7 @@ json coefficients(double first = 0.0) {
 }
 
 // A triangle under one light, which has no pictures.
-GltfFile fileWith(const json& light, const json& use = 0) {
+GltfFile fileWithEnvironment(const json& light, const json& use = 0) {
     GltfFile file = triangleFile();
     file.json["extensions"]["EXT_lights_image_based"]["lights"] = {light};
     file.json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = use;
@@ -46,14 +46,14 @@ TEST(GltfEnvironmentTest, LightOfTheScene) {
     json light = evenLight(100.0);
     light["name"] = "hall";
     light["intensity"] = 2.0;
-    const LoadedScene loaded = load(fileWith(light));
+    const LoadedScene loaded = load(fileWithEnvironment(light));
     ASSERT_TRUE(loaded.scene.environment);
     EXPECT_EQ(loaded.scene.environment->name, "hall");
     EXPECT_NEAR(luxOn(loaded, {0, 1, 0}).x, 200.0, 1e-9);
     EXPECT_EQ(luxOn(loaded, {0, 1, 0}).y, 0.0);
     expectLine(loaded, Report::Kind::kIgnored, kLight + "/specularImages", "are not drawn");
     // Without a light there is none, whatever the file holds.
-    GltfFile without = fileWith(light);
+    GltfFile without = fileWithEnvironment(light);
     without.json["scenes"][0].erase("extensions");
     EXPECT_FALSE(load(without).scene.environment);
 }
@@ -65,14 +65,14 @@ TEST(GltfEnvironmentTest, OrderAndRotation) {
     light["irradianceCoefficients"][1] = {one, 0, 0};
     light["irradianceCoefficients"][2] = {0, one, 0};
     light["irradianceCoefficients"][3] = {0, 0, one};
-    const LoadedScene plain = load(fileWith(light));
+    const LoadedScene plain = load(fileWithEnvironment(light));
     EXPECT_NEAR(luxOn(plain, {0, 1, 0}).x, 1.0, 1e-12);
     EXPECT_NEAR(luxOn(plain, {0, 0, 1}).y, 1.0, 1e-12);
     EXPECT_NEAR(luxOn(plain, {1, 0, 0}).z, 1.0, 1e-12);
     EXPECT_EQ(luxOn(plain, {0, -1, 0}), glm::dvec3(0.0));
     // A quarter of a turn about x, of twice the length that it should have: y goes to z.
     light["rotation"] = {std::sqrt(2.0), 0, 0, std::sqrt(2.0)};
-    const LoadedScene turned = load(fileWith(light));
+    const LoadedScene turned = load(fileWithEnvironment(light));
     expectLine(turned, Report::Kind::kRepaired, kLight + "/rotation", "length 2");
     EXPECT_NEAR(luxOn(turned, {0, 0, 1}).x, 1.0, 1e-12);
     EXPECT_NEAR(luxOn(turned, {0, -1, 0}).y, 1.0, 1e-12);
@@ -82,7 +82,8 @@ TEST(GltfEnvironmentTest, UnitsAreScaledAsAsked) {
     const TestFolder folder;
     LoadOptions options;
     options.intensityScale = 683.0;
-    const LoadedScene loaded = loadGltf(fileWith(evenLight(2.0)).writeTo(folder), options);
+    const LoadedScene loaded =
+        loadGltf(fileWithEnvironment(evenLight(2.0)).writeTo(folder), options);
     EXPECT_NEAR(luxOn(loaded, {0, 0, 1}).x, 1366.0, 1e-9);
 }
 
@@ -94,15 +95,15 @@ TEST(GltfEnvironmentTest, LightsThatCannotBeDrawnAreLeftOut) {
         expectLine(loaded, Report::Kind::kIgnored, place, word);
     };
     for (const json& use : {json(1), json(-1), json("x"), json(nullptr), json(0.5)}) {
-        expectNone(fileWith(evenLight(1.0), use), kUse, "1 image-based light;");
+        expectNone(fileWithEnvironment(evenLight(1.0), use), kUse, "1 image-based light;");
     }
-    GltfFile none = fileWith(evenLight(1.0));
+    GltfFile none = fileWithEnvironment(evenLight(1.0));
     none.json["extensions"]["EXT_lights_image_based"]["lights"] = 5;
     expectNone(none, kUse, "0 image-based lights");
     const auto changed = [](const json& value) {
         json light = evenLight(1.0);
         light["irradianceCoefficients"] = value;
-        return fileWith(light);
+        return fileWithEnvironment(light);
     };
     const std::string here = kLight + "/irradianceCoefficients";
     json few = coefficients();
@@ -120,15 +121,15 @@ TEST(GltfEnvironmentTest, LightsThatCannotBeDrawnAreLeftOut) {
     expectNone(changed(huge), here + "/2", "three finite numbers");
     json missing = evenLight(1.0);
     missing.erase("irradianceCoefficients");
-    expectNone(fileWith(missing), here, "is missing");
-    expectNone(fileWith(json(7)), here, "is missing");
+    expectNone(fileWithEnvironment(missing), here, "is missing");
+    expectNone(fileWithEnvironment(json(7)), here, "is missing");
 }
 
 TEST(GltfEnvironmentTest, WhatCanBeMendedIs) {
     const auto mended = [](const char* key, const json& value, const std::string& word) {
         json light = evenLight(3.0);
         light[key] = value;
-        const LoadedScene loaded = load(fileWith(light));
+        const LoadedScene loaded = load(fileWithEnvironment(light));
         EXPECT_NEAR(luxOn(loaded, {0, 1, 0}).x, 3.0, 1e-9) << key;
         expectLine(loaded, Report::Kind::kRepaired, kLight + "/" + key, word);
     };
@@ -139,21 +140,22 @@ TEST(GltfEnvironmentTest, WhatCanBeMendedIs) {
     mended("intensity", "x", "1 is used");
     json bright = evenLight(1e11);
     bright["intensity"] = 1e11;
-    EXPECT_TRUE(std::isfinite(luxOn(load(fileWith(bright)), {0, 1, 0}).x));
+    EXPECT_TRUE(std::isfinite(luxOn(load(fileWithEnvironment(bright)), {0, 1, 0}).x));
 }
 
 TEST(GltfEnvironmentTest, PicturesThatAreNotThereAreNamed) {
     json light = evenLight(1.0);
     light["specularImages"] = {{0, 1, 2, 3, 4, 9}};
-    GltfFile file = fileWith(light);
+    GltfFile file = fileWithEnvironment(light);
     const LoadedScene loaded = load(file);
     EXPECT_TRUE(loaded.scene.environment);
     expectLine(loaded, Report::Kind::kHint, kLight + "/specularImages/0/0", "0 images");
     light["specularImages"] = {{0, 1}};
-    expectLine(load(fileWith(light)), Report::Kind::kHint, kLight + "/specularImages/0",
+    expectLine(load(fileWithEnvironment(light)), Report::Kind::kHint, kLight + "/specularImages/0",
                "faces of a cube");
     light.erase("specularImages");
-    expectLine(load(fileWith(light)), Report::Kind::kHint, kLight + "/specularImages", "missing");
+    expectLine(load(fileWithEnvironment(light)), Report::Kind::kHint, kLight + "/specularImages",
+               "missing");
 }
 
 }  // namespace

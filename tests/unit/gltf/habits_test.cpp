@@ -13,8 +13,8 @@ namespace {
 using nlohmann::json;
 
 // Spots with these intensities, ten metres apart times `spacing`, and a triangle.
-GltfFile lampFile(const std::vector<double>& candela, double spacing = 1.0,
-                  const json& extras = nullptr) {
+GltfFile fileWithLamps(const std::vector<double>& candela, double spacing = 1.0,
+                       const json& extras = nullptr) {
     GltfFile file = triangleFile();
     file.json["extensionsUsed"] = {"KHR_lights_punctual"};
     json& lights = file.json["extensions"]["KHR_lights_punctual"]["lights"];
@@ -40,7 +40,7 @@ TEST(HabitsTest, LightMapsAreFoundAsTheyAreMeant) {
     const auto found = [&](const std::string& written, const std::string& word) {
         SCOPED_TRACE(written);
         const LoadedScene loaded =
-            load(lampFile({1000.0}, 1.0, {{"light_map", written}}).writeTo(folder));
+            load(fileWithLamps({1000.0}, 1.0, {{"light_map", written}}).writeTo(folder));
         ASSERT_EQ(loaded.scene.images.size(), 1U);
         EXPECT_EQ(loaded.scene.images[0].width, 1) << reportText(loaded);
         if (word.empty()) {
@@ -82,7 +82,7 @@ TEST(HabitsTest, NoWayLeadsOutOfTheFolder) {
     folder.write("secret.png", makePng({.rows = {std::string(4, '\x80')}}));
     for (const std::string written : {"../secret.png", "..\\secret.png", "%2e%2e/secret.png",
                                       "//../secret.png", "../SECRET.png"}) {
-        const GltfFile file = lampFile({1000.0}, 1.0, {{"light_map", written}});
+        const GltfFile file = fileWithLamps({1000.0}, 1.0, {{"light_map", written}});
         const LoadedScene loaded = load(folder.write("scene/scene.gltf", file.text()));
         EXPECT_GT(loaded.scene.images.at(0).width, 1) << written;  // the checkerboard
     }
@@ -203,7 +203,7 @@ TEST(HabitsTest, OnePictureByTwoNamesIsReadOnce) {
 }
 
 TEST(HabitsTest, UnitsAreScaledAsAsked) {
-    GltfFile file = lampFile({1000.0, 1000.0, 1000.0});
+    GltfFile file = fileWithLamps({1000.0, 1000.0, 1000.0});
     file.json["cameras"] = {
         {{"type", "orthographic"},
          {"orthographic", {{"xmag", 200}, {"ymag", 100}, {"znear", 10}, {"zfar", 5000}}}}};
@@ -219,17 +219,18 @@ TEST(HabitsTest, UnitsAreScaledAsAsked) {
 }
 
 TEST(HabitsTest, CentimetresAreGuessedByTheLampsSpacing) {
-    expectLine(load(lampFile({1e4, 1e4, 1e4}, 10.0)), Report::Kind::kHint, "", "centimetres");
-    EXPECT_EQ(reportText(load(lampFile({1e4, 1e4, 1e4}, 1.0))), "");
-    EXPECT_EQ(reportText(load(lampFile({1e4, 1e4}, 10.0))), "");  // too few to say
-    EXPECT_EQ(loadScaled(lampFile({1e4, 1e4, 1e4}, 10.0), 0.01, 1.0).report.entries().size(), 0U);
+    expectLine(load(fileWithLamps({1e4, 1e4, 1e4}, 10.0)), Report::Kind::kHint, "", "centimetres");
+    EXPECT_EQ(reportText(load(fileWithLamps({1e4, 1e4, 1e4}, 1.0))), "");
+    EXPECT_EQ(reportText(load(fileWithLamps({1e4, 1e4}, 10.0))), "");  // too few to say
+    EXPECT_EQ(loadScaled(fileWithLamps({1e4, 1e4, 1e4}, 10.0), 0.01, 1.0).report.entries().size(),
+              0U);
 }
 
 TEST(HabitsTest, LampsWithoutUnitsAreGuessedByTheBrightest) {
-    expectLine(load(lampFile({20.0, 50.0})), Report::Kind::kHint, "", "household bulb");
-    EXPECT_EQ(reportText(load(lampFile({20.0, 5000.0}))), "");
-    EXPECT_EQ(reportText(load(lampFile({20.0}))), "");
-    EXPECT_EQ(loadScaled(lampFile({20.0, 50.0}), 1.0, 683.0).report.entries().size(), 0U);
+    expectLine(load(fileWithLamps({20.0, 50.0})), Report::Kind::kHint, "", "household bulb");
+    EXPECT_EQ(reportText(load(fileWithLamps({20.0, 5000.0}))), "");
+    EXPECT_EQ(reportText(load(fileWithLamps({20.0}))), "");
+    EXPECT_EQ(loadScaled(fileWithLamps({20.0, 50.0}), 1.0, 683.0).report.entries().size(), 0U);
 }
 
 }  // namespace

@@ -222,7 +222,7 @@ TEST(IesTest, BrokenFilesAreRefusedAtALine) {
 }
 
 // A lamp of the extension, its profile given by a bufferView.
-GltfFile lampFile(const std::string& ies) {
+GltfFile fileWithPhotometry(const std::string& ies) {
     GltfFile file = triangleFile();
     file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"EXT_lights_ies"};
     file.json["extensions"]["EXT_lights_ies"]["lights"] =
@@ -237,7 +237,7 @@ GltfFile lampFile(const std::string& ies) {
 
 TEST(IesTest, ALampIsASpotWithALightMap) {
     const std::string ies = iesText({}, [](double v, double) { return 100.0 * cosine(v); });
-    GltfFile file = lampFile(ies);
+    GltfFile file = fileWithPhotometry(ies);
     file.addNode({{"extensions", {{"EXT_lights_ies", {{"light", 0}}}}}});
     const LoadedScene loaded = load(file);
     ASSERT_EQ(loaded.scene.spotLights.size(), 2U);
@@ -255,7 +255,7 @@ TEST(IesTest, ALampIsASpotWithALightMap) {
 
 TEST(IesTest, AFileBesideTheScene) {
     const TestFolder folder;
-    GltfFile file = lampFile("x");
+    GltfFile file = fileWithPhotometry("x");
     file.json["extensions"]["EXT_lights_ies"]["lights"][0] = {{"uri", "a%20lamp.ies"}};
     const std::filesystem::path path = file.writeTo(folder);
     const LoadedScene without = load(path);
@@ -274,7 +274,7 @@ TEST(IesTest, AFileBesideTheScene) {
 TEST(IesTest, OddUsesAreReported) {
     const std::string ies = iesText({}, [](double, double) { return 1.0; });
     const auto loadWith = [&](const json& use) {
-        GltfFile file = lampFile(ies);
+        GltfFile file = fileWithPhotometry(ies);
         file.json["nodes"][1]["extensions"]["EXT_lights_ies"] = use;
         return load(file);
     };
@@ -288,7 +288,7 @@ TEST(IesTest, OddUsesAreReported) {
                node + "/multiplier", "1 is used");
     expectLine(loadWith({{"light", 0}, {"color", {1, "x", 0}}}), Report::Kind::kRepaired,
                node + "/color", "white");
-    GltfFile file = lampFile(ies);
+    GltfFile file = fileWithPhotometry(ies);
     file.json["extensions"]["EXT_lights_ies"]["lights"][0] = 7;
     expectLine(load(file), Report::Kind::kIgnored, "/extensions/EXT_lights_ies/lights/0",
                "neither a uri");
@@ -297,7 +297,7 @@ TEST(IesTest, OddUsesAreReported) {
 }
 
 TEST(IesTest, APunctualLightOnTheSameNodeIsItsStandIn) {
-    GltfFile file = lampFile(iesText({}, [](double, double) { return 1.0; }));
+    GltfFile file = fileWithPhotometry(iesText({}, [](double, double) { return 1.0; }));
     file.json["extensions"]["KHR_lights_punctual"]["lights"] = json::array({{{"type", "point"}}});
     json& node = file.json["nodes"][1];
     node["extensions"]["KHR_lights_punctual"] = {{"light", 0}};

@@ -14,7 +14,7 @@ std::vector<std::byte> redPng() {
 }
 
 // A triangle whose base colour is the given image of the glTF.
-GltfFile fileWith(const json& image) {
+GltfFile fileWithImage(const json& image) {
     GltfFile file = triangleFile();
     json& primitive = file.json["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_0"] =
@@ -39,16 +39,16 @@ TEST(GltfImageTest, FromAFileOfAnyName) {
     const TestFolder folder;
     folder.write("a b%c.png", redPng());
     for (const char* uri : {"a b%c.png", "a%20b%c.png", "./a%20b%25c.png"}) {
-        const LoadedScene loaded = load(fileWith({{"uri", uri}}).writeTo(folder));
+        const LoadedScene loaded = load(fileWithImage({{"uri", uri}}).writeTo(folder));
         EXPECT_TRUE(isRed(loaded)) << uri << reportText(loaded);
         EXPECT_EQ(reportText(loaded), "");
     }
 }
 
 TEST(GltfImageTest, FromADataUriAndFromABufferView) {
-    EXPECT_TRUE(isRed(load(fileWith({{"uri", "data:image/png;base64," + base64(redPng())}}))));
-    EXPECT_TRUE(isRed(load(fileWith({{"uri", "DATA:;base64," + base64(redPng())}}))));
-    GltfFile file = fileWith(json::object());
+    EXPECT_TRUE(isRed(load(fileWithImage({{"uri", "data:image/png;base64," + base64(redPng())}}))));
+    EXPECT_TRUE(isRed(load(fileWithImage({{"uri", "DATA:;base64," + base64(redPng())}}))));
+    GltfFile file = fileWithImage(json::object());
     file.json["images"][0] = {{"bufferView", file.addView(redPng())}, {"mimeType", "image/png"}};
     EXPECT_TRUE(isRed(load(file)));
     const TestFolder folder;
@@ -58,7 +58,7 @@ TEST(GltfImageTest, FromADataUriAndFromABufferView) {
 TEST(GltfImageTest, TheSameFileIsDecodedOnce) {
     const TestFolder folder;
     folder.write("red.png", redPng());
-    GltfFile file = fileWith({{"uri", "red.png"}});
+    GltfFile file = fileWithImage({{"uri", "red.png"}});
     file.push("images", {{"uri", "./red.png"}});
     file.push("textures", {{"source", 1}});
     file.json["materials"][0]["emissiveTexture"] = {{"index", 1}};
@@ -75,7 +75,7 @@ TEST(GltfImageTest, EqualBytesAreDecodedOnceWhereverTheyLie) {
     folder.write("red.png", redPng());
     folder.write("copy.png", redPng());
     folder.write("blue.png", blue);
-    GltfFile file = fileWith({{"uri", "red.png"}});
+    GltfFile file = fileWithImage({{"uri", "red.png"}});
     const json sources[] = {{{"uri", "copy.png"}},
                             {{"bufferView", file.addView(redPng())}, {"mimeType", "image/png"}},
                             {{"bufferView", file.addView(redPng())}, {"mimeType", "image/png"}},
@@ -105,7 +105,7 @@ TEST(GltfImageTest, EqualBytesAreDecodedOnceWhereverTheyLie) {
 TEST(GltfImageTest, WebPStandsForThePlainSource) {
     const TestFolder folder;
     folder.write("red.png", redPng());
-    GltfFile file = fileWith({{"uri", "missing.png"}});
+    GltfFile file = fileWithImage({{"uri", "missing.png"}});
     file.push("images", {{"uri", "red.png"}});
     file.json["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
     EXPECT_TRUE(isRed(load(file.writeTo(folder))));
@@ -117,7 +117,7 @@ TEST(GltfImageTest, StandInWhereTheFileIsMissingOrBroken) {
     folder.write("empty.png", std::string_view());
     std::filesystem::create_directory(folder / "folder.png");
     for (const char* uri : {"missing.png", "broken.png", "empty.png", "folder.png"}) {
-        const LoadedScene loaded = load(fileWith({{"uri", uri}}).writeTo(folder));
+        const LoadedScene loaded = load(fileWithImage({{"uri", uri}}).writeTo(folder));
         EXPECT_TRUE(isStandIn(loaded)) << uri;
         expectLine(loaded, Report::Kind::kRepaired, "/images/0/uri", uri);
     }
@@ -126,27 +126,27 @@ TEST(GltfImageTest, StandInWhereTheFileIsMissingOrBroken) {
 TEST(GltfImageTest, StandInWhereTheUriIsRefused) {
     for (const char* uri : {"../red.png", "/etc/passwd", "http://example.org/red.png",
                             "file:///etc/passwd", "a/../../red.png", ""}) {
-        const LoadedScene loaded = load(fileWith({{"uri", uri}}));
+        const LoadedScene loaded = load(fileWithImage({{"uri", uri}}));
         EXPECT_TRUE(isStandIn(loaded)) << uri;
         expectLine(loaded, Report::Kind::kRepaired, "/images/0/uri", uri);
     }
 }
 
 TEST(GltfImageTest, StandInWhereTheBufferViewIsWrong) {
-    GltfFile file = fileWith(json::object());
+    GltfFile file = fileWithImage(json::object());
     file.json["images"][0] = {{"bufferView", file.addView(redPng())}, {"mimeType", "image/png"}};
     file.json["bufferViews"].back()["byteLength"] = 1 << 20;
     const LoadedScene loaded = load(file);
     EXPECT_TRUE(isStandIn(loaded));
     const std::string view = std::to_string(file.json["bufferViews"].size() - 1);
     expectLine(loaded, Report::Kind::kRepaired, "/bufferViews/" + view, "ends at byte");
-    const LoadedScene nothing = load(fileWith(json::object()));
+    const LoadedScene nothing = load(fileWithImage(json::object()));
     EXPECT_TRUE(isStandIn(nothing));
     expectLine(nothing, Report::Kind::kRepaired, "/images/0", "neither uri nor bufferView");
 }
 
 TEST(GltfImageTest, HugePictureIsRefusedBeforeMemoryIsTaken) {
-    const LoadedScene loaded = load(fileWith(
+    const LoadedScene loaded = load(fileWithImage(
         {{"uri", "data:image/png;base64," +
                      base64(makePng({.width = 2000000000, .height = 2000000000, .rows = {}}))}}));
     EXPECT_TRUE(isStandIn(loaded));
