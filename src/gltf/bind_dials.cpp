@@ -178,7 +178,8 @@ Spans spansOf(const Scene& scene) {
             forEachKeyValue(animation.samplers[std::size_t(channel.sampler)],
                             [&](const glm::vec4& value) {
                                 for (int c = 0; c < channel.count && channel.first + c < 2; ++c) {
-                                    span[std::size_t(channel.first + c)].add(double(value[c]));
+                                    const int number = channel.first + c;
+                                    span[std::size_t(number)].add(double(value[c]));
                                 }
                             });
         }

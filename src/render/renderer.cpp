@@ -32,10 +32,7 @@ void clear(const FrameTargets& targets) {
 }  // namespace
 
 Renderer::Renderer(const Scene& scene, const FileCache* files)
-    : scene_(scene),
-      files_(files),
-      gpuScene_(scene),
-      uploadedMaterials_(materialNumbers(scene)) {}
+    : scene_(scene), files_(files), gpuScene_(scene), uploadedMaterials_(materialNumbers(scene)) {}
 
 const FramePlan& Renderer::draw(const Camera& camera, const FrameSettings& settings) {
     FrameInputs inputs = frameInputs(scene_, camera, settings);

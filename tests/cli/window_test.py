@@ -11,8 +11,8 @@ import subprocess
 import time
 import unittest
 
-from command import (NO_OPENGL, PROGRAM, SCENES, CommandTest, add_node, make_floor, make_moving_floor,
-                     make_png, read_png)
+from command import (NO_OPENGL, PROGRAM, SCENES, CommandTest, add_node, make_dialed_floor, make_floor,
+                     make_moving_floor, make_png, read_png)
 from desktop import Desktop, wait_until
 
 WIDTH, HEIGHT = 640, 360
@@ -210,11 +210,8 @@ class AnEvening(WindowTest):
 
 
 class Animation(WindowTest):
-    def test_play_and_keep_a_moment(self):
-        self.write_scene("floor.gltf", make_moving_floor())
-        self.open("floor.gltf")
-        self.assertNotIn("time", self.save_look("floor.look.json"))
-        before = self.save_picture("floor_001.png")
+    def play_and_pause(self):
+        """The look at a moment within the second of the animation."""
         self.press("space")
 
         def moment():
@@ -223,9 +220,29 @@ class Animation(WindowTest):
                 return look
             self.press("space")
             return None
-        look = wait_until("a moment of the animation", moment)
+        return wait_until("a moment of the animation", moment)
+
+    def test_play_and_keep_a_moment(self):
+        self.write_scene("floor.gltf", make_moving_floor())
+        self.open("floor.gltf")
+        self.assertNotIn("time", self.save_look("floor.look.json"))
+        before = self.save_picture("floor_001.png")
+        look = self.play_and_pause()
         # The camera goes from 8 m to 6 m in a second.
         self.assertAlmostEqual(look["camera"]["position"][2], 8 - 2 * look["time"]["seconds"], 5)
+        self.assertNotEqual(before, self.save_picture("floor_002.png"))
+        self.close()
+        self.expect_same_picture("floor.look.json", "floor_002.png")
+
+
+    def test_play_what_pointers_change(self):
+        """Lamp, camera and material go on together, and the moment is drawn alike everywhere."""
+        self.write_scene("floor.gltf", make_dialed_floor())
+        self.open("floor.gltf")
+        before = self.save_picture("floor_001.png")
+        look = self.play_and_pause()
+        angle = 0.9 + (0.625 - 0.9) * look["time"]["seconds"]
+        self.assertAlmostEqual(look["camera"]["vertical_fov_degrees"], math.degrees(angle), 4)
         self.assertNotEqual(before, self.save_picture("floor_002.png"))
         self.close()
         self.expect_same_picture("floor.look.json", "floor_002.png")

@@ -80,10 +80,36 @@ GltfFile fullFile() {
     file.json["accessors"][std::size_t(turns)]["normalized"] = true;
     const json sampler = {{"input", times}, {"output", turns}, {"interpolation", "LINEAR"}};
     const json channel = {{"sampler", 0}, {"target", {{"node", 1}, {"path", "rotation"}}}};
-    file.push("animations", {{"name", "turn"},
-                             {"samplers", json::array({sampler})},
-                             {"channels", json::array({channel})}});
-    file.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    json samplers = json::array({sampler});
+    json channels = json::array({channel});
+    const auto point = [&](const char* pointer, int output) {
+        channels.push_back(
+            {{"sampler", samplers.size()},
+             {"target",
+              {{"path", "pointer"},
+               {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}}}});
+        samplers.push_back({{"input", times}, {"output", output}, {"interpolation", "STEP"}});
+    };
+    const int numbers = file.addAccessor(std::vector<float>{0.5F, 2}, "SCALAR", 5126, 2);
+    point("/extensions/KHR_lights_punctual/lights/0/spot/outerConeAngle", numbers);
+    point("/cameras/0/perspective/znear", numbers);
+    point("/nodes/1/extensions/KHR_node_visibility/visible",
+          file.addAccessor(std::vector<std::uint8_t>{1, 0}, "SCALAR", 5121, 2));
+    point("/materials/0/pbrMetallicRoughness/baseColorFactor",
+          file.addAccessor(std::vector<float>{0, 0, 0, 1, 1, 1, 1, 0}, "VEC4", 5126, 2));
+    file.push("animations", {{"name", "turn"}, {"samplers", samplers}, {"channels", channels}});
+    json coefficients = json::array();
+    for (int i = 0; i < 9; ++i) {
+        coefficients.push_back({1, 2, 3});
+    }
+    file.json["extensions"]["EXT_lights_image_based"]["lights"] =
+        json::array({{{"intensity", 2},
+                      {"rotation", {0, 0, 0, 1}},
+                      {"irradianceCoefficients", coefficients},
+                      {"specularImages", json::array({json::array({0, 0, 0, 0, 0, 0})})}}});
+    file.json["scenes"][0]["extensions"]["EXT_lights_image_based"]["light"] = 0;
+    file.json["extensionsUsed"] = {"KHR_lights_punctual", "KHR_animation_pointer",
+                                   "EXT_lights_image_based"};
     file.json["buffers"] = json::array(
         {{{"byteLength", file.bytes().size()}, {"uri", "data:;base64," + base64(file.bytes())}}});
     return file;

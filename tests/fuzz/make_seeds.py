@@ -150,6 +150,35 @@ def scenes():
         "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}},
                      {"sampler": 1, "target": {"node": 0, "path": "translation"}}]}]
 
+    made["pointers"] = scene = Scene()
+    scene.triangle(material=0)
+    punctual, image_based = "KHR_lights_punctual", "EXT_lights_image_based"
+    scene.json["materials"] = [{"pbrMetallicRoughness": {}}]
+    scene.json["cameras"] = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]
+    scene.json["extensions"] = {
+        punctual: {"lights": [{"type": "spot", "spot": {}}]},
+        image_based: {"lights": [{"irradianceCoefficients": [[1, 2, 3]] * 9, "intensity": 2,
+                                  "rotation": [0, 0, 0, 1], "specularImages": [[0] * 6]}]}}
+    scene.json["scenes"][0]["extensions"] = {image_based: {"light": 0}}
+    scene.json["nodes"][0].update({"camera": 0, "extensions": {punctual: {"light": 0}}})
+    times = scene.accessor("SCALAR", 5126, [0, 1])
+    numbers = scene.accessor("SCALAR", 5126, [0.5, 2])
+    animation = {"samplers": [], "channels": []}
+    for pointer, output in [
+            (f"/extensions/{punctual}/lights/0/spot/innerConeAngle", numbers),
+            (f"/extensions/{punctual}/lights/0/intensity", numbers),
+            ("/cameras/0/perspective/znear", numbers),
+            ("/nodes/0/extensions/KHR_node_visibility/visible",
+             scene.accessor("SCALAR", 5121, [1, 0])),
+            ("/materials/0/pbrMetallicRoughness/baseColorFactor",
+             scene.accessor("VEC4", 5126, [0] * 8))]:
+        animation["samplers"].append({"input": times, "output": output, "interpolation": "STEP"})
+        animation["channels"].append({
+            "sampler": len(animation["samplers"]) - 1,
+            "target": {"path": "pointer",
+                       "extensions": {"KHR_animation_pointer": {"pointer": pointer}}}})
+    scene.json["animations"] = [animation]
+
     made["skin"] = scene = Scene()
     scene.triangle(attributes={
         "JOINTS_0": scene.accessor("VEC4", 5123, [0, 1, 0, 0] * 3),

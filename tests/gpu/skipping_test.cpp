@@ -341,7 +341,8 @@ TEST_F(Skipping, WhateverChangesIsDrawn) {
         [&] { scene_.directionalLights[0].illuminanceLux = 6.0; },
         [&] {
             moveNode(scene_, 1, {0.1, 0.0, 0.0});
-        }};
+        },
+        [&] { scene_.nodes[1].shown = false; }};
     Frame3 before = readBack(renderer);
     for (std::size_t i = 0; i < changes.size(); ++i) {
         changes[i]();
@@ -353,6 +354,99 @@ TEST_F(Skipping, WhateverChangesIsDrawn) {
     }
     settings_.display = true;
     EXPECT_FALSE(renderer.draw(camera_, settings_).kept);
+}
+
+// Dials of animations: what follows from one is drawn anew, and nothing else. Each frame is held
+// against one of a renderer that has seen none of the ones before.
+class TurnedDials : public Skipping {
+  protected:
+    TurnedDials() : renderer_(withSecondLamp()) { renderer_.draw(camera_, settings_); }
+
+    // Draws the scene with a dial's first number at `value`, and returns the plan's line.
+    std::string turn(Dial::List list, Dial::Numbers numbers, const glm::dvec4& values,
+                     int owner = 0) {
+        Dial dial;
+        dial.list = list;
+        dial.numbers = numbers;
+        dial.owners = {owner};
+        dial.rest = values;
+        dial.now = values;
+        scene_.dials[0] = dial;
+        bringTo(dial, scene_);
+        placeNodes(scene_);
+        const std::string line = renderer_.draw(camera_, settings_).describe();
+        EXPECT_EQ(readBack(renderer_).image.values,
+                  drawOnce(scene_, camera_, settings_).image.values);
+        return line;
+    }
+
+    Renderer renderer_;
+
+  private:
+    const Scene& withSecondLamp() {
+        scene_.spotLights.push_back(makeSpot({3, 4, 1}, {0, 0.5, 0}, 0.2));
+        scene_.dials.emplace_back();
+        scene_.dials[0].list = Dial::List::kMaterials;
+        scene_.dials[0].numbers = Dial::Numbers::kBaseColor;
+        scene_.dials[0].owners = {0};
+        scene_.dials[0].rest = scene_.dials[0].now = glm::dvec4(scene_.materials[0].baseColor);
+        return scene_;
+    }
+};
+
+TEST_F(TurnedDials, BrightnessKeepsShadows) {
+    const std::string plain = "forward beams[2]";
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kIntensity, glm::dvec4(400.0)), plain);
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kColor, {1.0, 0.2, 0.1, 0.0}), plain);
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kIntensity, glm::dvec4(0.0)),
+              "forward beams[1]");
+    // Its shadow map is still there when it is lit again.
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kIntensity, glm::dvec4(5.0)), plain);
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kCone, {0.1, 0.3, 0.0, 0.0}), plain)
+        << "the inner cone alone";
+}
+
+TEST_F(TurnedDials, ConesDrawTheirOwnShadowMapAnew) {
+    const std::string one = "shadow_map[1] forward beams[2]";
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kCone, {0.0, 0.35, 0.0, 0.0}), one);
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kCone, {0.0, 0.15, 0.0, 0.0}, 1), one);
+    EXPECT_EQ(turn(Dial::List::kSpotLights, Dial::Numbers::kRange, glm::dvec4(4.7)), one);
+    // As it is: nothing at all.
+    EXPECT_EQ(renderer_.draw(camera_, settings_).describe(), "kept");
+}
+
+TEST_F(TurnedDials, WhatIsHiddenCastsNoShadow) {
+    // Two things of one place, of which the first goes: the other one is not taken for it.
+    const int box = addShape(scene_, makeBox({-0.2F, 2, -0.2F}, {0.2F, 2.4F, 0.2F}),
+                             makeMaterial(glm::vec3(0.5F)));
+    Renderer fresh(scene_);
+    fresh.draw(camera_, settings_);
+    scene_.nodes[1].visible = false;
+    placeNodes(scene_);
+    EXPECT_EQ(fresh.draw(camera_, settings_).shadowMapWork.size(), 2U);
+    EXPECT_EQ(readBack(fresh).image.values, drawOnce(scene_, camera_, settings_).image.values);
+    scene_.nodes[1].visible = true;
+    scene_.nodes[std::size_t(box)].visible = false;
+    placeNodes(scene_);
+    EXPECT_FALSE(fresh.draw(camera_, settings_).shadowMapWork.empty());
+    EXPECT_EQ(readBack(fresh).image.values, drawOnce(scene_, camera_, settings_).image.values);
+}
+
+TEST_F(TurnedDials, ColoursOfMaterialsAreUploaded) {
+    EXPECT_EQ(turn(Dial::List::kMaterials, Dial::Numbers::kBaseColor, {0.1, 0.9, 0.2, 1.0}),
+              "forward beams[2]");
+    EXPECT_EQ(renderer_.draw(camera_, settings_).describe(), "kept");
+    EXPECT_EQ(turn(Dial::List::kMaterials, Dial::Numbers::kEmission, {1.0, 0.5, 0.0, 30.0}),
+              "forward beams[2]");
+}
+
+TEST_F(TurnedDials, HolesThatCloseCastShadows) {
+    Material& sphere = scene_.materials[1];
+    sphere.alphaMode = Material::AlphaMode::kMask;
+    renderer_.usePictures();
+    turn(Dial::List::kMaterials, Dial::Numbers::kBaseColor, {0.5, 0.5, 0.5, 0.4}, 1);
+    EXPECT_EQ(turn(Dial::List::kMaterials, Dial::Numbers::kBaseColor, {0.5, 0.5, 0.5, 0.6}, 1),
+              "shadow_map[2] forward beams[2]");
 }
 
 // The lamps that are left out change nothing (that none of them would be seen is held against rays

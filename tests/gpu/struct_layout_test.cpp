@@ -87,8 +87,9 @@ TEST_F(StructLayout, WhatBeamsRead) {
                     {"view.picture", offsetof(gpu::View, picture)},
                     {"view.haze", offsetof(gpu::View, haze)},
                     {"view.upAmbient", offsetof(gpu::View, upAmbient)},
-                    {"view.lampCounts", offsetof(gpu::View, lampCounts)}},
-                   sizeof(gpu::View), 7);
+                    {"view.lampCounts", offsetof(gpu::View, lampCounts)},
+                    {"view.environment[0]", offsetof(gpu::View, environment)}},
+                   sizeof(gpu::View), 8);
     expectUniforms(program, "SettingsBlock",
                    {{"settings.planes", offsetof(gpu::BeamSettings, planes)},
                     {"settings.cells", offsetof(gpu::BeamSettings, cells)},

@@ -236,6 +236,57 @@ TEST_F(SurfaceLight, AmbientLightAndEmissionAndUnlit) {
     EXPECT_EQ(drawOnce(scene_, camera_, settings_).color(32, 24), glm::dvec3(0.25, 0.5, 0.75));
 }
 
+// Light that falls differently on every side, on a sphere seen askew, against the sum by hand; and
+// beside the even light of the settings, which it adds to.
+TEST_F(SurfaceLight, Environments) {
+    IrradianceCoefficients coefficients{};
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        const auto number = double(i);
+        coefficients[i] = {i == 0 ? 900.0 : 60.0 - 13.0 * number, i == 0 ? 700.0 : 10.0 * number,
+                           i == 0 ? 800.0 : -20.0 * number};
+    }
+    Environment environment;
+    environment.lux = irradianceForm(coefficients, glm::dmat3(1.0));
+    scene_ = Scene();
+    const glm::dvec3 color(0.8, 0.5, 0.2);
+    addShape(scene_, makeSphere({0, 0, 0}, 1.0F, 128), makeMaterial(glm::vec3(color)));
+    camera_ = makeCamera({2, 3, 4}, {0, 0, 0}, 0.5);
+    EXPECT_EQ(drawOnce(scene_, camera_, settings_).color(32, 24), glm::dvec3(0.0));
+    scene_.environment = environment;
+    int compared = 0;
+    for (const double ambient : {0.0, 50.0}) {
+        settings_.ambientLux = ambient;
+        const Frame3 frame = drawOnce(scene_, camera_, settings_);
+        for (int y = 0; y < settings_.height; ++y) {
+            for (int x = 0; x < settings_.width; ++x) {
+                const PixelRay ray = pixelRay(camera_, settings_.width, settings_.height, x, y);
+                const double along = -glm::dot(ray.origin, ray.direction);
+                const double across =
+                    glm::dot(ray.origin, ray.origin) - along * along;  // of the middle, squared
+                if (across > 0.9) {
+                    continue;
+                }
+                const glm::dvec3 n = ray.origin + (along - std::sqrt(1.0 - across)) * ray.direction;
+                // The paper's equation 11, number by number.
+                const auto& c = coefficients;
+                const glm::dvec3 lux =
+                    0.282095 * c[0] + 0.488603 * (n.y * c[1] + n.z * c[2] + n.x * c[3]) +
+                    1.092548 * (n.x * n.y * c[4] + n.y * n.z * c[5] + n.x * n.z * c[7]) +
+                    0.315392 * (3.0 * n.z * n.z - 1.0) * c[6] +
+                    0.546274 * (n.x * n.x - n.y * n.y) * c[8] + ambient * (0.75 + 0.25 * n.y);
+                const glm::dvec3 expected = (color + 0.04) * lux / kPi;
+                const glm::dvec3 drawn = frame.color(x, y);
+                for (int channel = 0; channel < 3; ++channel) {
+                    ASSERT_NEAR(drawn[channel], expected[channel], kPromised * expected[channel])
+                        << x << ", " << y;
+                }
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 300);
+}
+
 TEST_F(SurfaceLight, BackFacesAndMirroredNodes) {
     scene_.directionalLights.emplace_back();
     scene_.directionalLights[0].direction = {0.0, -1.0, 0.0};
