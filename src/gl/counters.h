@@ -8,6 +8,7 @@ namespace ribalta {
 struct GlCounters {
     std::uint64_t drawCalls = 0;  ///< draws and dispatches
     std::uint64_t programsBuilt = 0;
+    double programsMs = 0.0;  ///< wall time spent compiling and linking them
     std::uint64_t texturesMade = 0;
     std::uint64_t framebuffersMade = 0;
     std::uint64_t bytesAllocated = 0;  ///< live bytes of buffers and textures, without padding

@@ -1,5 +1,6 @@
 #include "gl/program.h"
 
+#include <chrono>
 #include <cstdio>
 
 #include "base/check.h"
@@ -56,6 +57,7 @@ GLuint compile(const std::string& file, const std::vector<std::string>& defines)
 
 Program::Program(const std::vector<std::string>& files, const std::vector<std::string>& defines)
     : handle_(glCreateProgram()) {
+    const auto start = std::chrono::steady_clock::now();
     for (const std::string& file : files) {
         const GLuint shader = compile(file, defines);
         glAttachShader(name(), shader);
@@ -73,6 +75,8 @@ Program::Program(const std::vector<std::string>& files, const std::vector<std::s
     }
     glObjectLabel(GL_PROGRAM, name(), GLsizei(files.front().size()), files.front().c_str());
     ++glCounters().programsBuilt;
+    glCounters().programsMs +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 void Program::setInt(GLint location, int value) const {

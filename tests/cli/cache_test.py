@@ -4,7 +4,7 @@ import os
 import pathlib
 import unittest
 
-from command import CommandTest, make_floor
+from command import SCENES, CommandTest, make_floor
 
 # Mesa keeps its compiled shaders where it always does.
 MESA_CACHE = os.environ.get("MESA_SHADER_CACHE_DIR") or str(
@@ -64,6 +64,36 @@ class Caches(CommandTest):
             self.assertIn(file.name, said)
             self.assertIn("made anew", said)
             self.assertEqual(file.read_bytes(), whole)
+
+    def inspect_stage(self, *options):
+        """What it prints but for times, and how many meshes it found decoded."""
+        text = self.expect_done("inspect", SCENES / "stage.glb", *options,
+                                environment={"XDG_CACHE_HOME": str(self.caches)}).stdout
+        lines = text.splitlines()
+        found = [line for line in lines if line.startswith("cache ")]
+        return [line for line in lines if not line.startswith(("load ", "cache "))], found
+
+    def test_meshes_are_decoded_once(self):
+        expected, found = self.inspect_stage("--no-cache")
+        self.assertEqual(found, [])
+        self.assertFalse(self.caches.exists())
+        self.assertEqual(self.inspect_stage(), (expected, []))
+        [file] = self.kept()
+        again, found = self.inspect_stage()
+        self.assertEqual(again, expected)
+        self.assertRegex(found[0], "182 meshes")
+        whole = file.read_bytes()
+        file.write_bytes(whole[:-1])
+        self.assertEqual(self.inspect_stage(), (expected, []))
+        self.assertEqual(len(file.read_bytes()), len(whole))
+
+    def test_its_limit(self):
+        self.inspect_stage("--cache-limit", "1M")
+        self.assertEqual(self.kept(), [])
+        self.inspect_stage("--cache-limit", "1G")
+        self.assertEqual(len(self.kept()), 1)
+        for words in [["--cache-limit", "much"], ["--cache-limit=1M", "--no-cache"]]:
+            self.expect_error(2, ["--cache-limit"], "inspect", SCENES / "stage.glb", *words)
 
     def test_a_folder_that_cannot_be_written(self):
         expected, _ = self.draw("--no-cache")

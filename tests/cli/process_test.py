@@ -6,7 +6,7 @@ import pty
 import subprocess
 import unittest
 
-from command import (JOB_FAILED, LIMIT_SECONDS, NO_OPENGL, PROGRAM, CommandTest, make_floor,
+from command import (JOB_FAILED, LIMIT_SECONDS, NO_OPENGL, PROGRAM, SCENES, CommandTest, make_floor,
                      read_png)
 
 
@@ -27,12 +27,18 @@ class Libraries(CommandTest):
         _, text = self.libraries_of("--help")
         for name in ["OpenImageIO", "ribalta_image_io", "libEGL", "libOpenGL", "LLVM"]:
             self.assertNotIn(name, text)
-        # GLFW brings those of X11.
-        self.assertLess(text.count("calling init"), 22)
+        # GLFW brings those of X11; PNGs and JPEGs two small ones.
+        self.assertLess(text.count("calling init"), 24)
 
     def test_inspecting_a_scene_without_images_opens_no_image_library(self):
         self.write_scene("floor.gltf", make_floor())
         _, text = self.libraries_of("inspect", "floor.gltf")
+        for name in ["OpenImageIO", "ribalta_image_io", "libEGL"]:
+            self.assertNotIn(name, text)
+
+    def test_inspecting_a_scene_with_pngs_opens_no_image_library(self):
+        _, text = self.libraries_of("inspect", "--no-cache", SCENES / "stage.glb")
+        self.assertIn("libdeflate", text)
         for name in ["OpenImageIO", "ribalta_image_io", "libEGL"]:
             self.assertNotIn(name, text)
 

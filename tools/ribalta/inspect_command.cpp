@@ -89,6 +89,30 @@ void printMeshes(const Scene& scene, bool all) {
     }
 }
 
+// What is uploaded once for several primitives.
+void printSharing(const Scene& scene) {
+    std::set<int> vertices;
+    std::set<int> indices;
+    std::size_t withVertices = 0;
+    std::size_t withIndices = 0;
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Primitive& primitive : mesh.primitives) {
+            if (primitive.sharedVertices >= 0) {
+                vertices.insert(primitive.sharedVertices);
+                ++withVertices;
+            }
+            if (primitive.sharedIndices >= 0) {
+                indices.insert(primitive.sharedIndices);
+                ++withIndices;
+            }
+        }
+    }
+    if (withVertices + withIndices > 0) {
+        std::printf("shared     %zu primitives have the vertices of another, %zu the indices\n",
+                    withVertices - vertices.size(), withIndices - indices.size());
+    }
+}
+
 void printDeformers(const Scene& scene) {
     if (scene.deformers.empty()) {
         return;
@@ -132,6 +156,7 @@ void printGeometry(const Scene& scene, bool allMeshes) {
     std::printf("\n");
     std::printf("meshes     %zu, %zu primitives\n", scene.meshes.size(), totals.primitives);
     printMeshes(scene, allMeshes);
+    printSharing(scene);
     std::printf("triangles  %zu, %zu as placed\n", totals.triangles, totals.drawn);
     printDeformers(scene);
     const Bounds bounds = tightSceneBounds(scene);

@@ -2,10 +2,17 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <sstream>
+#include <string>
 
 #include <CLI/CLI.hpp>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "animation_options.h"
 #include "base/error.h"
@@ -86,6 +93,23 @@ FrameSettings settingsFrom(const RenderOptions& options, const Look& look,
     return settings;
 }
 
+// To the kernel's own precision, a hundredth of a second.
+double msSinceProcessStart() {
+    std::ifstream file("/proc/self/stat");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    // The program's name, in brackets, may hold spaces; the start stands 20 words behind it
+    // (proc(5)), in ticks since the system's.
+    std::istringstream words(text.substr(text.rfind(')') + 1));
+    std::string word;
+    for (int i = 0; i < 20; ++i) {
+        words >> word;
+    }
+    timespec now{};
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec) -
+           1e3 * std::strtod(word.c_str(), nullptr) / double(sysconf(_SC_CLK_TCK));
+}
+
 std::uint64_t peakMemory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -121,6 +145,7 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
         }
         if (i == 0) {
             stats.plan = plan.describe();
+            stats.firstPixelMs = msSinceProcessStart();
         }
         stats.framesKept += plan.kept ? 1 : 0;
         progress.step();
@@ -169,6 +194,9 @@ void tellOfFrames(const std::string& scene, const RenderStats& stats) {
         logVerbose(line);
     }
     logVerbose(describeTimes(stats));
+    std::snprintf(line, sizeof line, "first pixel: %.0f ms after the program's start",
+                  stats.firstPixelMs);
+    logVerbose(line);
     if (stats.ev100) {
         std::snprintf(line, sizeof line, "exposure: EV100 %.2f", *stats.ev100);
         logVerbose(line);
@@ -258,6 +286,7 @@ void render(RenderOptions& options) {
     stats.load = loaded.stages;
     stats.load.push_back({"context", contextMs});
     stats.load.push_back({"upload", uploadMs});
+    stats.load.push_back({"shaders", glCounters().programsMs - before.programsMs});
     stats.peakBytes = peakMemory();
 
     if (!options.stats.empty()) {

@@ -109,6 +109,7 @@ void writeStats(const std::filesystem::path& file, const RenderStats& stats) {
         {"renderer", stats.renderer},
         {"frame_ms", times.frameMs},
         {"first_frame_ms", stats.frames.front().frameMs},
+        {"first_pixel_ms", stats.firstPixelMs},
         {"repeats", stats.frames.size()},
         {"passes", toJson(times)},
         {"first_frame_passes", toJson(stats.frames.front())},

@@ -52,6 +52,7 @@ struct RenderStats {
     std::uint64_t samples = 0;          ///< of the last frame
     gpu::RunCounts runs{};              ///< of a frame like the last
     std::uint64_t programsBuilt = 0;
+    double firstPixelMs = 0.0;  ///< from the start of the process to the end of its first frame
     std::uint64_t texturesMade = 0;
     std::uint64_t peakBytes = 0;
     std::optional<double> ev100;
