@@ -1,4 +1,4 @@
-// What memory is said to be free, against what can be taken of it.
+// What memory is said to be free.
 #include "base/available_memory.h"
 
 #include <gtest/gtest.h>
