@@ -99,8 +99,8 @@ TEST(LimitsTest, VerticesOfAllPrimitivesTogether) {
     expectLimit(file, &LoadLimits::vertices, 60, "/meshes/0/primitives/", "vertices");
 }
 
-// A primitive costs some bytes of JSON and has all of an accessor read. Each has other indices: what
-// is the same in all is read once.
+// A primitive costs some bytes of JSON and has all of an accessor read. Each has other indices:
+// what is the same in all is read once.
 TEST(LimitsTest, AnAccessorReadOverAndOver) {
     GltfFile file = triangleFile();
     json& primitive = file.json["meshes"][0]["primitives"][0];
