@@ -10,8 +10,8 @@
 
 namespace ribalta {
 
-/// Memory for `bytes`, in huge pages where it is large and the system has them. Throws
-/// std::bad_alloc.
+/// Memory for `bytes`, in pages of the usual size: huge ones were measured to take longer, as the
+/// system has to clear space for them. Throws std::bad_alloc.
 void* takeRawMemory(std::size_t bytes);
 void giveRawMemory(void* memory, std::size_t bytes) noexcept;
 

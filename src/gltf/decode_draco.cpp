@@ -144,16 +144,21 @@ DracoAttribute readAttribute(const draco::Mesh& mesh, const DracoRequest& reques
         request.place);
     DracoAttribute result;
     result.components = components;
-    result.values.reserve(std::size_t(mesh.num_points()) * std::size_t(components));
+    result.values.resize(std::size_t(mesh.num_points()) * std::size_t(components));
     for (std::uint32_t point = 0; point < mesh.num_points(); ++point) {
         const draco::AttributeValueIndex value = attribute->mapped_index(draco::PointIndex(point));
         if (value.value() >= attribute->size()) {
             badInput(request.place, std::string("names broken Draco data") + kExportAgain);
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(attribute->GetAddress(value));
+        if (type == draco::DT_FLOAT32) {  // as nearly all are
+            std::memcpy(&result.values[std::size_t(point) * std::size_t(components)], bytes,
+                        std::size_t(components) * sizeof(float));
+            continue;
+        }
         for (std::size_t c = 0; c < std::size_t(components); ++c) {
-            result.values.push_back(
-                loadComponent(bytes + c * componentBytes, type, request.normalized));
+            result.values[std::size_t(point) * std::size_t(components) + c] =
+                loadComponent(bytes + c * componentBytes, type, request.normalized);
         }
     }
     return result;

@@ -106,8 +106,8 @@ class Inspect(CommandTest):
                                r"'gobo_window\.png'\n")
 
     def test_all_meshes(self):
-        some = self.expect_done("inspect", SCENES / "stage.glb").stdout
-        every = self.expect_done("inspect", SCENES / "stage.glb", "--all").stdout
+        some = self.expect_done("inspect", SCENES / "stage.glb", "--no-cache").stdout
+        every = self.expect_done("inspect", SCENES / "stage.glb", "--all", "--no-cache").stdout
         self.assertIn("and 172 smaller ones", some)
         self.assertEqual(len(every.splitlines()) - len(some.splitlines()), 171)
 

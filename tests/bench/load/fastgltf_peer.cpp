@@ -150,9 +150,9 @@ void load(const char* path) {
         int width = 0;
         int height = 0;
         int channels = 0;
-        pictures.push_back(stbi_load_from_memory(
-            reinterpret_cast<const stbi_uc*>(encoded.data()), int(encoded.size()), &width, &height,
-            &channels, 4));
+        pictures.push_back(stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(encoded.data()),
+                                                 int(encoded.size()), &width, &height, &channels,
+                                                 4));
         if (pictures.back() == nullptr) {
             throw std::runtime_error(stbi_failure_reason());
         }

@@ -13,12 +13,11 @@
 #include <string>
 #include <vector>
 
+#include <draco/compression/expert_encode.h>
+#include <draco/mesh/mesh.h>
 #include <jpeglib.h>
 #include <meshoptimizer.h>
 #include <png.h>
-
-#include <draco/compression/expert_encode.h>
-#include <draco/mesh/mesh.h>
 
 namespace {
 
@@ -231,8 +230,8 @@ class File {
         }
         json += "]";
         const std::pair<const char*, const List*> lists[] = {
-            {"bufferViews", &views_}, {"accessors", &accessors_}, {"meshes", &meshes_},
-            {"nodes", &nodes_},       {"images", &images_},       {"textures", &textures_},
+            {"bufferViews", &views_},  {"accessors", &accessors_}, {"meshes", &meshes_},
+            {"nodes", &nodes_},        {"images", &images_},       {"textures", &textures_},
             {"materials", &materials_}};
         for (const auto& [name, list] : lists) {
             if (list->count > 0) {
@@ -322,10 +321,9 @@ void writeImages(const std::filesystem::path& path, int count, int side, const c
     for (int i = 0; i < count; ++i) {
         const Bytes encoded = encode(side, paint(side, i));
         file.image(file.view(encoded.data(), encoded.size()), type);
-        placeMesh(file,
-                  file.mesh(plainPrimitive(file, grid) + ",\"material\":" + std::to_string(i) +
-                            "}"),
-                  i);
+        placeMesh(
+            file,
+            file.mesh(plainPrimitive(file, grid) + ",\"material\":" + std::to_string(i) + "}"), i);
     }
     file.write(path);
 }

@@ -4,13 +4,13 @@
 #define TINYGLTF_ENABLE_DRACO
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
-#include <tiny_gltf.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
+
+#include <tiny_gltf.h>
 
 #include "geometry_bytes.h"
 
@@ -19,7 +19,8 @@ namespace {
 std::vector<float> floatsOf(const tinygltf::Model& model, int index) {
     const tinygltf::Accessor& accessor = model.accessors.at(std::size_t(index));
     const tinygltf::BufferView& view = model.bufferViews.at(std::size_t(accessor.bufferView));
-    const auto components = std::size_t(tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type)));
+    const auto components =
+        std::size_t(tinygltf::GetNumComponentsInType(std::uint32_t(accessor.type)));
     const auto stride = std::size_t(accessor.ByteStride(view));
     const unsigned char* from = model.buffers.at(std::size_t(view.buffer)).data.data() +
                                 view.byteOffset + accessor.byteOffset;
