@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/read_file.h"
 #include "base/bytes.h"
+#include "base/read_file.h"
 #include "gltf/bad_input.h"
 #include "gltf/parse_ies.h"
 #include "gltf/read_buffers.h"
