@@ -101,10 +101,12 @@ void checkVersionAndExtensions(const json& root, const Place& file) {
         }
         const auto& name = required[i].get_ref<const std::string&>();
         if (!isSupported(name)) {
-            badInput(
-                file.at("extensionsRequired").at(i),
-                "the file requires the extension " + name + ", which is not supported; export it " +
-                    (name == "KHR_texture_basisu" ? "with PNG, JPEG or WebP textures" : "without"));
+            badInput(file.at("extensionsRequired").at(i),
+                     "the file requires the extension " + name +
+                         ", which is not supported; export it " +
+                         (name == "KHR_texture_basisu" || name == "GOOGLE_texture_basis"
+                              ? "with PNG, JPEG or WebP textures"
+                              : "without"));
         }
     }
 }
