@@ -22,39 +22,23 @@ glm::dvec4 drawnNumbers(const Dial& dial) {
     return drawn;
 }
 
-void bringToSpot(const Dial& dial, const glm::dvec4& drawn, SpotLight& lamp) {
-    switch (dial.numbers) {
-        case Numbers::kColor:
-            lamp.color = glm::vec3(drawn);
-            break;
-        case Numbers::kIntensity:
-            lamp.intensityCandela = drawn.x;
-            break;
-        case Numbers::kRange:
-            lamp.rangeMetres = drawn.x;
-            break;
-        case Numbers::kCone:
-            lamp.outerConeAngle = drawn.y;
-            lamp.innerConeAngle = std::min(drawn.x, drawn.y);
-            break;
-        default:
-            break;  // no spot has it
+// What spots and point lights have both.
+template <typename Lamp>
+void bringToLamp(const Dial& dial, const glm::dvec4& drawn, Lamp& lamp) {
+    if (dial.numbers == Numbers::kColor) {
+        lamp.color = glm::vec3(drawn);
+    } else if (dial.numbers == Numbers::kIntensity) {
+        lamp.intensityCandela = drawn.x;
+    } else if (dial.numbers == Numbers::kRange) {
+        lamp.rangeMetres = drawn.x;
     }
 }
 
-void bringToPoint(const Dial& dial, const glm::dvec4& drawn, PointLight& lamp) {
-    switch (dial.numbers) {
-        case Numbers::kColor:
-            lamp.color = glm::vec3(drawn);
-            break;
-        case Numbers::kIntensity:
-            lamp.intensityCandela = drawn.x;
-            break;
-        case Numbers::kRange:
-            lamp.rangeMetres = drawn.x;
-            break;
-        default:
-            break;  // no point light has it
+void bringToSpot(const Dial& dial, const glm::dvec4& drawn, SpotLight& lamp) {
+    bringToLamp(dial, drawn, lamp);
+    if (dial.numbers == Numbers::kCone) {
+        lamp.outerConeAngle = drawn.y;
+        lamp.innerConeAngle = std::min(drawn.x, drawn.y);
     }
 }
 
@@ -143,7 +127,7 @@ void bringTo(const Dial& dial, Scene& scene) {
                 bringToSpot(dial, drawn, scene.spotLights[index]);
                 break;
             case List::kPointLights:
-                bringToPoint(dial, drawn, scene.pointLights[index]);
+                bringToLamp(dial, drawn, scene.pointLights[index]);
                 break;
             case List::kDirectionalLights:
                 bringToDirectional(dial, drawn, scene.directionalLights[index]);
