@@ -28,8 +28,10 @@ if(RIBALTA_BATCH)
     set(CMAKE_UNITY_BUILD ON)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
     # Of names and values that meet there alone; the other compiler looks at each file by itself.
-    target_compile_options(ribalta_options INTERFACE -Wno-shadow -Wno-subobject-linkage
-                                                     -Wno-maybe-uninitialized)
+    target_compile_options(
+        ribalta_options
+        INTERFACE -Wno-shadow
+                  "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-maybe-uninitialized>")
 endif()
 
 # ribalta_precompile(TARGET KIND HEADERS ...): parses HEADERS once for all targets of one KIND, which

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Feeds the readers of files with broken ones, made by the million. Builds in build/fuzz.
-# Usage: tools/fuzz.sh [--minutes N | --seconds N] [--target NAME]... [--jobs N] [--build-only]
+# Usage: tools/fuzz.sh [--minutes N | --seconds N] [--seed N] [--target NAME]... [--jobs N] [--build-only]
 #   --minutes, --seconds  how long each target runs (default: 1 minute)
+#   --seed                of the random choices (default: another in each run)
 #   --target              gltf, glb, draco, ...; may be given several times (default: all)
 #   --jobs                targets at once (default: as many as there are cores)
 # What runs find new is kept in build/fuzz/corpus for the next one; what breaks a reader in
@@ -12,7 +13,7 @@ exec </dev/null
 cd "$(dirname "$0")/.."
 
 usage() {
-    sed -n '3,6s/^# //p' tools/fuzz.sh >&2
+    sed -n '3,7s/^# //p' tools/fuzz.sh >&2
     exit 2
 }
 
@@ -31,7 +32,7 @@ run() {
     # An input may take 20 s, which is some hundred times what any should, on a busy machine; memory
     # is far above the limits that the targets give the readers.
     status=0
-    "bin/fuzz_$target" "corpus/$target" "seeds/$target" -dict=../../tests/fuzz/words.dict \
+    "bin/fuzz_$target" "corpus/$target" "seeds/$target" -dict=../../tests/fuzz/words.dict -seed="$3" \
         -max_total_time="$2" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 \
         -max_len=16384 -artifact_prefix="found/$target/" -print_final_stats=1 \
         >"$target.log" 2>&1 || status=$?
@@ -46,11 +47,12 @@ run() {
 
 # This script again, for one target of several at once.
 if [ "${FUZZ_TARGET:-}" ]; then
-    run "$FUZZ_TARGET" "$FUZZ_SECONDS"
+    run "$FUZZ_TARGET" "$FUZZ_SECONDS" "$FUZZ_SEED"
     exit 0
 fi
 
 seconds=60
+seed=0 # libFuzzer takes one of its own
 targets=""
 jobs=$(nproc)
 build_only=""
@@ -58,6 +60,7 @@ while [ $# -gt 0 ]; do
     case $1 in
         --minutes) seconds=$((60 * $(number "${2:-}"))) && shift 2 ;;
         --seconds) seconds=$(number "${2:-}") && shift 2 ;;
+        --seed) seed=$(number "${2:-}") && shift 2 ;;
         --target) targets="$targets ${2:-}" && shift 2 ;;
         --jobs) jobs=$(number "${2:-}") && shift 2 ;;
         --build-only) build_only=yes && shift ;;
@@ -86,5 +89,5 @@ python3 -B tests/fuzz/make_seeds.py build/fuzz/seeds
 
 failed=0
 for target in $targets; do echo "$target"; done |
-    xargs -P "$jobs" -I{} env FUZZ_TARGET={} FUZZ_SECONDS="$seconds" tools/fuzz.sh || failed=1
+    xargs -P "$jobs" -I{} env FUZZ_TARGET={} FUZZ_SECONDS="$seconds" FUZZ_SEED="$seed" tools/fuzz.sh || failed=1
 exit "$failed"

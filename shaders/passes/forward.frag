@@ -25,7 +25,6 @@ layout(std430, binding = kPointLampsSlot) readonly buffer PointLamps { PointLamp
 layout(std430, binding = kDirectionalLampsSlot) readonly buffer DirectionalLamps {
     DirectionalLamp directionalLamps[];
 };
-layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
 layout(std140, binding = kMaterialSlot) uniform MaterialBlock { SurfaceMaterial material; };
 #ifdef LAYERS
 layout(std430, binding = kSurfaceLayersSlot) readonly buffer LayersBlock { SurfaceLayers layers[]; };
@@ -230,7 +229,7 @@ Surface readSurface() {
     geometric = size > 0.0 ? geometric / size : surface.towardsEye;
     surface.geometric = dot(geometric, surface.towardsEye) < 0.0 ? -geometric : geometric;
     surface.normal = surface.geometric;
-    if (draw.flags.x != 0 && dot(viewNormal, viewNormal) > 0.0) {
+    if (dot(viewNormal, viewNormal) > 0.0) {
         vec3 normal = normalize(viewNormal);
         surface.normal = gl_FrontFacing ? normal : -normal;
     }

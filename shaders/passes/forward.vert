@@ -9,9 +9,10 @@ layout(location = kTangentAttribute) in vec4 tangent;
 layout(location = kUv0Attribute) in vec2 uv0;
 layout(location = kUv1Attribute) in vec2 uv1;
 layout(location = kColorAttribute) in vec4 color;
+layout(location = kInstanceAttribute) in mat4 viewFromLocal;
+layout(location = kInstanceAttribute + 4) in mat3x4 viewFromNormal;
 
 layout(std140, binding = kViewSlot) uniform ViewBlock { View view; };
-layout(std140, binding = kDrawSlot) uniform DrawBlock { Draw draw; };
 
 out vec3 viewPosition;
 out vec3 viewNormal;
@@ -23,12 +24,12 @@ out vec2 secondUv;
 #endif
 
 void main() {
-    vec4 place = draw.viewFromLocal * vec4(position, 1.0);
+    vec4 place = viewFromLocal * vec4(position, 1.0);
     viewPosition = place.xyz;
-    viewNormal = mat3(draw.viewFromNormal) * normal;
+    viewNormal = mat3(viewFromNormal) * normal;
     vertexColor = color;
 #ifdef TEXTURES
-    viewTangent = vec4(mat3(draw.viewFromLocal) * tangent.xyz, tangent.w);
+    viewTangent = vec4(mat3(viewFromLocal) * tangent.xyz, tangent.w);
     firstUv = uv0;
     secondUv = uv1;
 #endif

@@ -2,7 +2,7 @@
 #include "shared/slots.h"
 
 layout(location = kPositionAttribute) in vec3 position;
-layout(location = 0) uniform mat4 clipFromLocal;
+layout(location = kInstanceAttribute) in mat4 clipFromLocal;
 
 #ifdef ALPHA_MASK
 #include "shared/surface.h"

@@ -6,7 +6,6 @@ SHARED_BEGIN
 // Uniform buffers.
 const int kViewSlot = 0;
 const int kBeamSettingsSlot = 1;
-const int kDrawSlot = 2;      // a window onto the draw at hand
 const int kMaterialSlot = 3;  // a window onto its material
 const int kAtmosphereSlot = 4;
 const int kSkySlot = 5;
@@ -81,5 +80,6 @@ const int kTangentAttribute = 2;
 const int kUv0Attribute = 3;
 const int kUv1Attribute = 4;
 const int kColorAttribute = 5;
+const int kInstanceAttribute = 6;  // seven for surfaces, four for what casts shadows
 
 SHARED_END

@@ -1,12 +1,17 @@
-// What a draw and a material hand to the surface shaders.
+// What an instance and a material hand to the surface shaders.
 #pragma once
 #include "shared/language.h"
 SHARED_BEGIN
 
-struct Draw {
+// Read as vertex attributes, column by column from kInstanceAttribute on.
+struct SurfaceInstance {
     mat4 viewFromLocal;
-    mat4 viewFromNormal;  // inverse transpose of the upper 3x3
-    ivec4 flags;          // x: 1 where normals are given, 0 where the surface's own are used
+    vec4 viewFromNormal[3];  // columns of the upper 3x3's inverse transpose; 0 where a primitive has
+                             // no normals and the surface's own are used
+};
+
+struct CasterInstance {
+    mat4 clipFromLocal;
 };
 
 const int kBaseColorTexture = 0;

@@ -10,10 +10,11 @@
 namespace ribalta {
 
 struct DrawItem {
-    int node = 0;       ///< into Scene::nodes
-    int mesh = 0;       ///< into Scene::meshes
-    int primitive = 0;  ///< into that mesh's primitives
-    int material = -1;  ///< into Scene::materials, -1: the default
+    int node = 0;           ///< into Scene::nodes
+    int mesh = 0;           ///< into Scene::meshes
+    int primitive = 0;      ///< into that mesh's primitives
+    int material = -1;      ///< into Scene::materials, -1: the default
+    bool mirrored = false;  ///< triangles face the other way than in their mesh
     Bounds worldBounds;
 };
 
@@ -34,6 +35,18 @@ int deformerOf(const Scene& scene, const DrawItem& item);
 
 /// All primitives of all nodes, in the nodes' order.
 std::vector<DrawItem> listDraws(const Scene& scene);
+
+/// Whether one call draws both, the same geometry at two places.
+bool areInstances(const Scene& scene, const DrawItem& a, const DrawItem& b);
+
+/// Brings instances together in a list of draws, at the place of the first of each kind; otherwise
+/// and among themselves they stay in order.
+void gatherInstances(const Scene& scene, const std::vector<DrawItem>& draws,
+                     std::vector<int>& list);
+
+/// Where the run of instances ends that begins at `first` in a list of draws.
+std::size_t endOfInstances(const Scene& scene, const std::vector<DrawItem>& draws,
+                           const std::vector<int>& list, std::size_t first);
 
 /// The item's primitive.
 const Primitive& primitiveOf(const Scene& scene, const DrawItem& item);

@@ -46,6 +46,7 @@ std::vector<int> castersOf(const Scene& scene, const FramePlan& plan, const Spot
             casters.push_back(int(i));
         }
     }
+    gatherInstances(scene, plan.draws, casters);
     return casters;
 }
 
@@ -141,6 +142,7 @@ void planForward(const Scene& scene, const std::vector<bool>& visible, FramePlan
     }
     const auto nearer = [&](int a, int b) { return depth[std::size_t(a)] < depth[std::size_t(b)]; };
     std::stable_sort(work.opaque.begin(), work.opaque.end(), nearer);
+    gatherInstances(scene, plan.draws, work.opaque);
     std::stable_sort(work.blended.begin(), work.blended.end(),
                      [&](int a, int b) { return nearer(b, a); });
     if (!work.opaque.empty() || !work.blended.empty()) {

@@ -59,7 +59,7 @@ struct PlannedLamp {
 };
 
 struct ForwardWork {
-    std::vector<int> opaque;   ///< into FramePlan::draws, near to far
+    std::vector<int> opaque;   ///< into FramePlan::draws, near to far but for instances
     std::vector<int> blended;  ///< far to near
     bool normalOutput = false;
 };

@@ -94,26 +94,41 @@ void uploadList(Buffer& buffer, const char* label, int slot, const std::vector<V
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(slot), buffer.name());
 }
 
-std::vector<gpu::Draw> describeDraws(const Scene& scene, const FramePlan& plan,
-                                     const glm::dmat4& viewFromWorld) {
-    std::vector<gpu::Draw> draws;
-    draws.reserve(plan.draws.size());
-    for (const DrawItem& item : plan.draws) {
-        const glm::dmat4 viewFromLocal =
-            viewFromWorld * scene.nodes[std::size_t(item.node)].worldFromLocal;
-        // The adjugate turns normals as the inverse transpose does, and stands a flattened node.
-        const glm::dmat3 linear(viewFromLocal);
-        glm::dmat3 normals(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                           glm::cross(linear[0], linear[1]));
-        const double mirrored = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
-        const double size =
-            std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
-        normals *= size > 0.0 ? mirrored / size : 0.0;
-        const bool hasNormals = !primitiveOf(scene, item).normals.empty();
-        draws.push_back({glm::mat4(viewFromLocal), glm::mat4(glm::dmat4(normals)),
-                         glm::ivec4(hasNormals ? 1 : 0, 0, 0, 0)});
+gpu::SurfaceInstance describeInstance(const Scene& scene, const DrawItem& item,
+                                      const glm::dmat4& viewFromWorld) {
+    const glm::dmat4 viewFromLocal =
+        viewFromWorld * scene.nodes[std::size_t(item.node)].worldFromLocal;
+    gpu::SurfaceInstance result{};
+    result.viewFromLocal = viewFromLocal;
+    if (primitiveOf(scene, item).normals.empty()) {
+        return result;
     }
-    return draws;
+    // The adjugate turns normals as the inverse transpose does, and stands a flattened node.
+    const glm::dmat3 linear(viewFromLocal);
+    const glm::dmat3 normals(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                             glm::cross(linear[0], linear[1]));
+    const double size =
+        std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
+    const double scale = size > 0.0 ? (item.mirrored ? -1.0 : 1.0) / size : 0.0;
+    for (int column = 0; column < 3; ++column) {
+        result.viewFromNormal[column] = glm::vec4(scale * normals[column], 0.0);
+    }
+    return result;
+}
+
+std::vector<gpu::SurfaceInstance> describeSurfaces(const Scene& scene, const FramePlan& plan,
+                                                   const glm::dmat4& viewFromWorld) {
+    std::vector<gpu::SurfaceInstance> instances;
+    if (plan.forward) {
+        instances.reserve(plan.forward->opaque.size() + plan.forward->blended.size());
+        for (const auto* list : {&plan.forward->opaque, &plan.forward->blended}) {
+            for (const int draw : *list) {
+                instances.push_back(
+                    describeInstance(scene, plan.draws[std::size_t(draw)], viewFromWorld));
+            }
+        }
+    }
+    return instances;
 }
 
 }  // namespace
@@ -182,11 +197,7 @@ void GpuFrame::upload(const Scene& scene, const FramePlan& plan, const GpuScene&
     }
     uploadList(directionalLamps_, "directional lamps", gpu::kDirectionalLampsSlot, directional);
 
-    draws_.write("draws", spreadForUniforms(describeDraws(scene, plan, fromWorld)));
-}
-
-void GpuFrame::bindDraw(int index) const {
-    draws_.bindUniform(gpu::kDrawSlot, index);
+    surfaces_.write("surfaces", bytesOf(describeSurfaces(scene, plan, fromWorld)));
 }
 
 }  // namespace ribalta

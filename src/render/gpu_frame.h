@@ -15,8 +15,8 @@ class GpuFrame {
     void upload(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
                 const SkyLighting* daylight);
 
-    /// Binds the placement of a draw of the plan to its slot.
-    void bindDraw(int index) const;
+    /// A gpu::SurfaceInstance for each of the plan's opaque surfaces, then each blended one.
+    const Buffer& surfaces() const { return surfaces_; }
 
   private:
     Buffer view_;
@@ -24,7 +24,7 @@ class GpuFrame {
     Buffer spotCones_;
     Buffer pointLamps_;
     Buffer directionalLamps_;
-    Buffer draws_;
+    Buffer surfaces_;
 };
 
 /// Clip space of a spot's shadow map from world: reversed depth, near / z.

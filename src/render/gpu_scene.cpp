@@ -10,6 +10,7 @@
 #include <shared/surface.h>
 
 #include "base/log.h"
+#include "gl/counters.h"
 #include "optics/shader_lib.h"
 #include "render/upload_image.h"
 
@@ -29,6 +30,7 @@ static_assert(sizeof(VertexAttributes) == sizeof(float) * gpu::kAttributeFloats)
 
 constexpr GLuint kPositionBinding = 0;
 constexpr GLuint kAttributesBinding = 1;
+constexpr GLuint kInstanceBinding = 2;
 
 GLenum modeOf(Topology topology) {
     switch (topology) {
@@ -66,7 +68,9 @@ void appendAttributes(const Primitive& primitive, std::vector<VertexAttributes>&
     }
 }
 
-GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const Buffer& indices) {
+// `instanceColumns`: four floats each, of what an instance has of its own.
+GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const Buffer& indices,
+                       int instanceColumns) {
     GLuint array = 0;
     glCreateVertexArrays(1, &array);
     glVertexArrayVertexBuffer(array, kPositionBinding, positions.name(), 0, sizeof(glm::vec3));
@@ -88,6 +92,11 @@ GLuint makeVertexArray(const Buffer& positions, const Buffer& attributes, const 
     glVertexArrayAttribFormat(array, gpu::kColorAttribute, 4, GL_UNSIGNED_SHORT, GL_TRUE,
                               GLuint(offsetof(VertexAttributes, color)));
     glVertexArrayAttribBinding(array, gpu::kColorAttribute, kAttributesBinding);
+    for (int column = 0; column < instanceColumns; ++column) {
+        floats(GLuint(gpu::kInstanceAttribute + column), kInstanceBinding, 4,
+               std::size_t(column) * sizeof(glm::vec4));
+    }
+    glVertexArrayBindingDivisor(array, kInstanceBinding, 1);
     return array;
 }
 
@@ -264,7 +273,32 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     positions_.write("positions", bytesOf(positions));
     attributes_.write("vertex attributes", bytesOf(attributes));
     indices_.write("indices", bytesOf(indices));
-    vertexArray_ = Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_));
+    const auto arrayFor = [&](std::size_t instanceBytes) {
+        return Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_,
+                                                         int(instanceBytes / sizeof(glm::vec4))));
+    };
+    surfaceArray_ = arrayFor(sizeof(gpu::SurfaceInstance));
+    casterArray_ = arrayFor(sizeof(gpu::CasterInstance));
+}
+
+GLuint GpuScene::surfacesAt(const Buffer& instances) const {
+    glVertexArrayVertexBuffer(surfaceArray_.name(), kInstanceBinding, instances.name(), 0,
+                              sizeof(gpu::SurfaceInstance));
+    return surfaceArray_.name();
+}
+
+GLuint GpuScene::castersAt(const Buffer& instances) const {
+    glVertexArrayVertexBuffer(casterArray_.name(), kInstanceBinding, instances.name(), 0,
+                              sizeof(gpu::CasterInstance));
+    return casterArray_.name();
+}
+
+void GpuScene::drawInstances(const DrawItem& item, std::size_t first, std::size_t count) const {
+    const Geometry& at = geometry(item);
+    glDrawElementsInstancedBaseVertexBaseInstance(at.mode, at.indexCount, GL_UNSIGNED_INT,
+                                                  reinterpret_cast<const void*>(at.indexOffset),
+                                                  GLsizei(count), at.baseVertex, GLuint(first));
+    ++glCounters().drawCalls;
 }
 
 void GpuScene::usePictures(const Scene& scene) {

@@ -49,8 +49,12 @@ class GpuScene {
     /// Positions, three floats each, and kAttributeFloats a vertex: what deformation writes.
     const Buffer& positions() const { return positions_; }
     const Buffer& attributes() const { return attributes_; }
-    /// All attributes, for surfaces; positions (and what masks need) for shadow maps are the same.
-    GLuint vertexArray() const { return vertexArray_.name(); }
+    /// The vertex arrays of surfaces and of what casts shadows, over a list of gpu::SurfaceInstance
+    /// or gpu::CasterInstance, which must outlive the draws.
+    GLuint surfacesAt(const Buffer& instances) const;
+    GLuint castersAt(const Buffer& instances) const;
+    /// Draws an item's geometry at `count` places of that list, from the `first` on.
+    void drawInstances(const DrawItem& item, std::size_t first, std::size_t count) const;
     /// Whether it is drawn with layers (MaterialLayers), which bindMaterial binds.
     bool hasLayers(const DrawItem& item) const {
         return layerIndices_[std::size_t(materialIndex(item))] >= 0;
@@ -86,7 +90,8 @@ class GpuScene {
 
     std::vector<std::vector<Geometry>> geometry_;            ///< by mesh and primitive
     std::map<int, std::vector<Geometry>> deformedGeometry_;  ///< by node and primitive
-    Handle<deleteVertexArray> vertexArray_;
+    Handle<deleteVertexArray> surfaceArray_;
+    Handle<deleteVertexArray> casterArray_;
     Buffer positions_;
     Buffer attributes_;
     Buffer indices_;

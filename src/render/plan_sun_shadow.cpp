@@ -205,6 +205,7 @@ std::optional<SunShadowWork> planSunShadow(const Scene& scene, const SkyDrawing&
         SunCascade cascade = boxAround(holdsAll ? all : slice, work.sunFromWorld, work.side);
         if (giveCasters(casters, work.sunFromWorld, cascade)) {
             work.castersCulled += int(casters.size() - cascade.casters.size());
+            gatherInstances(scene, draws, cascade.casters);
             work.cascades.push_back(std::move(cascade));
         }
         if (holdsAll) {

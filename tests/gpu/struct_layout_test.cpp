@@ -118,11 +118,6 @@ TEST_F(StructLayout, WhatSurfacesRead) {
     expectBuffer(program, "DirectionalLamps", "directionalLamps",
                  {MEMBER(DirectionalLamp, towardsLamp), MEMBER(DirectionalLamp, lux)},
                  sizeof(gpu::DirectionalLamp), 2);
-    expectUniforms(program, "DrawBlock",
-                   {{"draw.viewFromLocal", offsetof(gpu::Draw, viewFromLocal)},
-                    {"draw.viewFromNormal", offsetof(gpu::Draw, viewFromNormal)},
-                    {"draw.flags", offsetof(gpu::Draw, flags)}},
-                   sizeof(gpu::Draw), 3);
     expectUniforms(program, "MaterialBlock",
                    {{"material.baseColor", offsetof(gpu::SurfaceMaterial, baseColor)},
                     {"material.emission", offsetof(gpu::SurfaceMaterial, emission)},
@@ -185,6 +180,22 @@ TEST_F(StructLayout, WhatTheSkyReads) {
         sizeof(gpu::SkyRayLight), 3);
 }
 
+// Instances are read column by column of four floats.
+TEST_F(StructLayout, InstancesAreColumns) {
+    const Program surfaces({"passes/forward.vert", "passes/forward.frag"});
+    const auto place = [&](const char* name) {
+        return glGetAttribLocation(surfaces.name(), name) - gpu::kInstanceAttribute;
+    };
+    EXPECT_EQ(place("viewFromLocal"),
+              GLint(offsetof(gpu::SurfaceInstance, viewFromLocal) / sizeof(glm::vec4)));
+    EXPECT_EQ(place("viewFromNormal"),
+              GLint(offsetof(gpu::SurfaceInstance, viewFromNormal) / sizeof(glm::vec4)));
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_VERTEX_ATTRIBS, &most);
+    EXPECT_LE(gpu::kInstanceAttribute + int(sizeof(gpu::SurfaceInstance) / sizeof(glm::vec4)),
+              most);
+}
+
 TEST_F(StructLayout, WindowsOntoBuffersAreAligned) {
     GLint alignment = 0;
     glGetIntegerv(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT, &alignment);
@@ -197,7 +208,6 @@ TEST_F(StructLayout, BuffersStandInTheirSlots) {
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "ViewBlock", GL_BUFFER_BINDING), gpu::kViewSlot);
     EXPECT_EQ(property(beams, GL_UNIFORM_BLOCK, "SettingsBlock", GL_BUFFER_BINDING),
               gpu::kBeamSettingsSlot);
-    EXPECT_EQ(property(surfaces, GL_UNIFORM_BLOCK, "DrawBlock", GL_BUFFER_BINDING), gpu::kDrawSlot);
     EXPECT_EQ(property(surfaces, GL_UNIFORM_BLOCK, "MaterialBlock", GL_BUFFER_BINDING),
               gpu::kMaterialSlot);
     const auto slot = [&](const Program& program, const char* block) {

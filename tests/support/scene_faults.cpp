@@ -294,7 +294,9 @@ void checkShape(const Scene& scene, const Deformer& deformer, Faults& faults) {
     for (const Primitive& primitive : scene.meshes[std::size_t(node.mesh)].primitives) {
         const DeformedVertices vertices = deformVertices(primitive, deformer);
         const Bounds box = localBounds(scene, node, primitive);
-        const double slack = 1e-5 * (glm::length(box.low) + glm::length(box.high));
+        // Single precision is no longer relative to the smallest numbers.
+        const double slack = 1e-5 * (glm::length(box.low) + glm::length(box.high)) +
+                             double(std::numeric_limits<float>::min());
         for (const glm::vec3& position : vertices.positions) {
             faults.checkFinite(position, "deformed position");
             const glm::dvec3 p(position);

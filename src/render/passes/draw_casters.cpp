@@ -1,16 +1,10 @@
 #include "render/passes/draw_casters.h"
 
-#include <glm/gtc/type_ptr.hpp>
+#include <shared/surface.h>
 
-#include "gl/counters.h"
 #include "gl/pipeline_state.h"
 
 namespace ribalta {
-namespace {
-
-constexpr GLint kClipFromLocal = 0;
-
-}  // namespace
 
 Texture2D makeShadowArray(const std::string& label, int side, int layers) {
     Texture2D maps(label, GL_DEPTH_COMPONENT32F, {side, side, layers, 1});
@@ -20,17 +14,41 @@ Texture2D makeShadowArray(const std::string& label, int side, int layers) {
     return maps;
 }
 
-void DrawCasters::draw(const Framebuffer& layer, const glm::dmat4& clipFromWorld,
-                       const std::vector<int>& casters, const Scene& scene,
+void DrawCasters::draw(const std::vector<CasterLayer>& layers, const Scene& scene,
                        const std::vector<DrawItem>& draws, const GpuScene& gpuScene) {
-    layer.bind();
+    if (layers.empty()) {
+        return;
+    }
+    std::vector<gpu::CasterInstance> instances;
+    for (const CasterLayer& layer : layers) {
+        for (const int caster : *layer.casters) {
+            const DrawItem& item = draws[std::size_t(caster)];
+            instances.push_back({glm::mat4(layer.clipFromWorld *
+                                           scene.nodes[std::size_t(item.node)].worldFromLocal)});
+        }
+    }
+    instances_.write("casters", bytesOf(instances));
+    const GLuint vertexArray = gpuScene.castersAt(instances_);
+    std::size_t firstInstance = 0;
+    for (const CasterLayer& layer : layers) {
+        drawLayer(layer, firstInstance, scene, draws, gpuScene, vertexArray);
+        firstInstance += layer.casters->size();
+    }
+}
+
+void DrawCasters::drawLayer(const CasterLayer& layer, std::size_t firstInstance, const Scene& scene,
+                            const std::vector<DrawItem>& draws, const GpuScene& gpuScene,
+                            GLuint vertexArray) {
+    layer.layer->bind();
     // Clearing obeys the depth mask of the draw before.
     glDepthMask(GL_TRUE);
     const float farthest = 0.0F;
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     const Program* current = nullptr;
-    for (const int caster : casters) {
-        const DrawItem& item = draws[std::size_t(caster)];
+    const std::vector<int>& casters = *layer.casters;
+    for (std::size_t first = 0, end = 0; first < casters.size(); first = end) {
+        end = endOfInstances(scene, draws, casters, first);
+        const DrawItem& item = draws[std::size_t(casters[first])];
         const bool mask = materialOf(scene, item).alphaMode == Material::AlphaMode::kMask;
         Program& program = mask ? masked_ : solid_;
         if (!program) {
@@ -42,23 +60,16 @@ void DrawCasters::draw(const Framebuffer& layer, const glm::dmat4& clipFromWorld
             // Both sides cast: a thin wall has no inside.
             PipelineState state;
             state.program = &program;
-            state.vertexArray = gpuScene.vertexArray();
+            state.vertexArray = vertexArray;
             state.depthTest = DepthTest::kCloser;
             state.depthWrite = true;
             apply(state);
             current = &program;
         }
-        const glm::mat4 clipFromLocal(clipFromWorld *
-                                      scene.nodes[std::size_t(item.node)].worldFromLocal);
-        glUniformMatrix4fv(kClipFromLocal, 1, GL_FALSE, glm::value_ptr(clipFromLocal));
         if (mask) {
             gpuScene.bindMaterial(scene, item);
         }
-        const GpuScene::Geometry& geometry = gpuScene.geometry(item);
-        glDrawElementsBaseVertex(geometry.mode, geometry.indexCount, GL_UNSIGNED_INT,
-                                 reinterpret_cast<const void*>(geometry.indexOffset),
-                                 geometry.baseVertex);
-        ++glCounters().drawCalls;
+        gpuScene.drawInstances(item, firstInstance + first, end - first);
     }
 }
 

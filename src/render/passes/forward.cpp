@@ -3,10 +3,16 @@
 #include <shared/slots.h>
 #include <shared/surface.h>
 
-#include "gl/counters.h"
 #include "gl/pipeline_state.h"
 
 namespace ribalta {
+namespace {
+
+bool transmitsLight(const Material& material) {
+    return material.layers && material.layers->transmission > 0.0F;
+}
+
+}  // namespace
 
 const Program& ForwardPass::program(const Variant& variant) {
     Program& program = programs_[variant];
@@ -41,47 +47,42 @@ const Program& ForwardPass::program(const Variant& variant) {
     return program;
 }
 
-void ForwardPass::drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
-                           const GpuFrame& frame, int index, bool blended, bool normalOutput,
-                           bool seenThrough) {
-    const DrawItem& item = plan.draws[std::size_t(index)];
+void ForwardPass::drawRun(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
+                          GLuint vertexArray, const Run& run) {
+    const DrawItem& item = plan.draws[std::size_t(run.draw)];
     const Material& material = materialOf(scene, item);
-    const glm::dmat4& worldFromLocal = scene.nodes[std::size_t(item.node)].worldFromLocal;
 
     // What passes through a thin wall has a colour, which alpha has not: first it tints what is
     // behind, then the wall's own light is added.
-    const bool transmits = material.layers && material.layers->transmission > 0.0F && blended;
-    if (transmits && !seenThrough) {
-        drawItem(scene, plan, gpuScene, frame, index, blended, normalOutput, true);
+    const bool transmits = transmitsLight(material) && run.blended;
+    if (transmits && !run.seenThrough) {
+        Run tint = run;
+        tint.seenThrough = true;
+        drawRun(scene, plan, gpuScene, vertexArray, tint);
     }
 
     PipelineState state;
     state.program = &program({.textures = gpuScene.hasTextures(item) || gpuScene.hasLayers(item),
                               .alphaMask = material.alphaMode == Material::AlphaMode::kMask,
-                              .normalOutput = normalOutput,
+                              .normalOutput = plan.forward->normalOutput,
                               .sky = plan.sky.has_value(),
                               .sunShadow = plan.sunShadow.has_value(),
                               .illuminance = plan.settings.illuminance.has_value(),
                               .layers = gpuScene.hasLayers(item),
-                              .seenThrough = seenThrough});
-    state.vertexArray = gpuScene.vertexArray();
-    state.depthTest = blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
-    state.depthWrite = !blended;
-    state.blend = seenThrough ? Blend::kTint
-                  : transmits ? Blend::kAdd
-                  : blended   ? Blend::kAlpha
-                              : Blend::kReplace;
+                              .seenThrough = run.seenThrough});
+    state.vertexArray = vertexArray;
+    state.depthTest = run.blended ? DepthTest::kCloserOrEqual : DepthTest::kCloser;
+    state.depthWrite = !run.blended;
+    state.blend = run.seenThrough ? Blend::kTint
+                  : transmits     ? Blend::kAdd
+                  : run.blended   ? Blend::kAlpha
+                                  : Blend::kReplace;
     state.cullBackFaces = !material.doubleSided;
-    state.clockwiseFront = glm::determinant(glm::dmat3(worldFromLocal)) < 0.0;
+    state.clockwiseFront = item.mirrored;
     apply(state);
 
     gpuScene.bindMaterial(scene, item);
-    frame.bindDraw(index);
-    const GpuScene::Geometry& geometry = gpuScene.geometry(item);
-    glDrawElementsBaseVertex(geometry.mode, geometry.indexCount, GL_UNSIGNED_INT,
-                             reinterpret_cast<const void*>(geometry.indexOffset),
-                             geometry.baseVertex);
-    ++glCounters().drawCalls;
+    gpuScene.drawInstances(item, run.firstInstance, run.instances);
 }
 
 void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FramePlan& plan,
@@ -91,11 +92,20 @@ void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FrameP
     glEnable(GL_PROGRAM_POINT_SIZE);
     glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
     glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
-    for (const int index : work.opaque) {
-        drawItem(scene, plan, gpuScene, frame, index, false, work.normalOutput);
-    }
-    for (const int index : work.blended) {
-        drawItem(scene, plan, gpuScene, frame, index, true, work.normalOutput);
+    const GLuint vertexArray = gpuScene.surfacesAt(frame.surfaces());
+    std::size_t before = 0;  // instances of the lists drawn so far
+    for (const auto* list : {&work.opaque, &work.blended}) {
+        const bool blended = list == &work.blended;
+        for (std::size_t first = 0, end = 0; first < list->size(); first = end) {
+            const int draw = (*list)[first];
+            // Tinting and adding take turns, one wall at a time.
+            end = blended && transmitsLight(materialOf(scene, plan.draws[std::size_t(draw)]))
+                      ? first + 1
+                      : endOfInstances(scene, plan.draws, *list, first);
+            drawRun(scene, plan, gpuScene, vertexArray,
+                    {draw, before + first, end - first, blended});
+        }
+        before += list->size();
     }
     glDisable(GL_PROGRAM_POINT_SIZE);
     for (int t = 0; t < gpu::kMaterialTextures; ++t) {

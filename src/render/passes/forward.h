@@ -33,9 +33,16 @@ class ForwardPass {
         auto operator<=>(const Variant&) const = default;
     };
 
-    void drawItem(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
-                  const GpuFrame& frame, int index, bool blended, bool normalOutput,
-                  bool seenThrough = false);
+    // Instances drawn by one call.
+    struct Run {
+        int draw = 0;                   // the first of them, into FramePlan::draws
+        std::size_t firstInstance = 0;  // into GpuFrame::surfaces
+        std::size_t instances = 1;
+        bool blended = false;
+        bool seenThrough = false;  // as Variant's
+    };
+    void drawRun(const Scene& scene, const FramePlan& plan, const GpuScene& gpuScene,
+                 GLuint vertexArray, const Run& run);
     const Program& program(const Variant& variant);
 
     std::map<Variant, Program> programs_;

@@ -18,12 +18,14 @@ void ShadowMapPass::makeLayers(const ShadowMaps& wanted) {
 void ShadowMapPass::draw(const std::vector<ShadowMapWork>& work, const Scene& scene,
                          const FramePlan& plan, const GpuScene& gpuScene, DrawCasters& casters) {
     makeLayers(plan.shadowMaps);
+    std::vector<CasterLayer> layers;
     for (const ShadowMapWork& map : work) {
-        const glm::dmat4 clipFromWorld =
-            shadowClipFromWorld(scene.spotLights[std::size_t(map.spot)], plan.shadowMaps.side);
-        casters.draw(layers_[std::size_t(map.layer)], clipFromWorld, map.casters, scene, plan.draws,
-                     gpuScene);
+        layers.push_back(
+            {&layers_[std::size_t(map.layer)],
+             shadowClipFromWorld(scene.spotLights[std::size_t(map.spot)], plan.shadowMaps.side),
+             &map.casters});
     }
+    casters.draw(layers, scene, plan.draws, gpuScene);
 }
 
 }  // namespace ribalta

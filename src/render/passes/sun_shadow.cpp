@@ -23,13 +23,14 @@ void SunShadowPass::draw(const SunShadowWork& work, const Scene& scene, const Fr
             layers_.emplace_back("sun shadow map " + std::to_string(layer), maps_, layer);
         }
     }
+    std::vector<CasterLayer> layers;
     for (std::size_t i = 0; i < work.cascades.size(); ++i) {
         const SunCascade& cascade = work.cascades[i];
         if (!cascade.kept) {
-            casters.draw(layers_[i], cascade.clipFromWorld, cascade.casters, scene, plan.draws,
-                         gpuScene);
+            layers.push_back({&layers_[i], cascade.clipFromWorld, &cascade.casters});
         }
     }
+    casters.draw(layers, scene, plan.draws, gpuScene);
 }
 
 void SunShadowPass::bind(const SunShadowWork& work, const FramePlan& plan) {
