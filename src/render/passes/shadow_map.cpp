@@ -19,6 +19,7 @@ void ShadowMapPass::draw(const std::vector<ShadowMapWork>& work, const Scene& sc
                          const FramePlan& plan, const GpuScene& gpuScene, DrawCasters& casters) {
     makeLayers(plan.shadowMaps);
     std::vector<CasterLayer> layers;
+    layers.reserve(work.size());
     for (const ShadowMapWork& map : work) {
         layers.push_back(
             {&layers_[std::size_t(map.layer)],
