@@ -10,24 +10,17 @@
 
 namespace ribalta {
 
-/// Memory for `bytes`, in pages of the usual size: huge ones were measured to take longer, as the
-/// system has to clear space for them. Throws std::bad_alloc.
-void* takeRawMemory(std::size_t bytes);
-void giveRawMemory(void* memory, std::size_t bytes) noexcept;
-
 /// An allocator whose containers leave new elements as the memory is.
 template <typename T>
-struct RawAllocator {
-    using value_type = T;
-
+struct RawAllocator : std::allocator<T> {
     RawAllocator() = default;
     template <typename U>
-    explicit(false) RawAllocator(const RawAllocator<U>&) noexcept {}  // as containers want it
+    explicit(false) RawAllocator(const RawAllocator<U>& /*other*/) noexcept {}
 
-    T* allocate(std::size_t count) { return static_cast<T*>(takeRawMemory(count * sizeof(T))); }
-    void deallocate(T* memory, std::size_t count) noexcept {
-        giveRawMemory(memory, count * sizeof(T));
-    }
+    template <typename U>
+    struct rebind {
+        using other = RawAllocator<U>;
+    };
     template <typename U, typename... Arguments>
     void construct(U* place, Arguments&&... arguments) {
         if constexpr (sizeof...(Arguments) == 0) {
@@ -36,7 +29,6 @@ struct RawAllocator {
             ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
         }
     }
-    bool operator==(const RawAllocator&) const = default;
 };
 
 /// Bytes that resize() adds hold anything: whoever resizes it writes them all.

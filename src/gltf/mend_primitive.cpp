@@ -68,12 +68,19 @@ void mendAttributes(Primitive& primitive, const Place& place, Report& report) {
     }
 }
 
-// Takes out triangles (lines, points) with a corner that is not a finite place.
+// Metres. Farther places, moved by joints and seen from elsewhere, leave single precision.
+constexpr float kFarthest = 1e18F;
+
+bool isPlace(const glm::vec3& position) {
+    return isFinite(position) && glm::all(glm::lessThan(glm::abs(position), glm::vec3(kFarthest)));
+}
+
+// Takes out triangles (lines, points) with a corner that is no place.
 void dropNonFinite(Primitive& primitive, const Place& place, Report& report) {
     std::vector<char> broken(primitive.positions.size(), 0);
     bool any = false;
     for (std::size_t i = 0; i < broken.size(); ++i) {
-        if (!isFinite(primitive.positions[i])) {
+        if (!isPlace(primitive.positions[i])) {
             broken[i] = 1;
             any = true;
             primitive.positions[i] = glm::vec3(0.0F);
@@ -93,11 +100,11 @@ void dropNonFinite(Primitive& primitive, const Place& place, Report& report) {
             kept.insert(kept.end(), first, last);
         }
     }
-    report.repaired(place.at("attributes").at("POSITION"),
-                    "holds positions that are not finite numbers; what they belong to (" +
-                        std::to_string((primitive.indices.size() - kept.size()) / corners) +
-                        " of " + std::to_string(primitive.indices.size() / corners) +
-                        " pieces) is left out");
+    report.repaired(
+        place.at("attributes").at("POSITION"),
+        "holds positions that are not finite numbers below 1e18; what they belong to (" +
+            std::to_string((primitive.indices.size() - kept.size()) / corners) + " of " +
+            std::to_string(primitive.indices.size() / corners) + " pieces) is left out");
     primitive.indices = std::move(kept);
 }
 

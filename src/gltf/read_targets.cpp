@@ -15,8 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-// So far does nothing move; products with weights still fit single precision.
-constexpr float kLongest = 1e30F;
+// Metres. So far does nothing move; weights, up to 1e6, and joints take it on from there, all in
+// single precision.
+constexpr float kLongest = 1e12F;
 
 class TargetReader {
   public:

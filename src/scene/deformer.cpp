@@ -11,8 +11,9 @@
 namespace ribalta {
 namespace {
 
-// Numbers that products with coordinates still fit single precision with.
-constexpr double kLargest = 1e30;
+// Products with coordinates, which are below 1e18 at rest and may be moved by targets, still fit
+// single precision.
+constexpr double kLargest = 1e15;
 constexpr std::size_t kVerticesAtOnce = 4096;
 
 glm::mat4 inSingle(const glm::dmat4& matrix) {

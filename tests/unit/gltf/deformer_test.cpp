@@ -381,6 +381,27 @@ TEST(GltfDeformerTest, DisplacementsAreCountedBeforeTheyAreRead) {
                "5 places");
 }
 
+// What load() gives is looked through for numbers that are not finite.
+TEST(GltfDeformerTest, HugeNumbersStayFinite) {
+    constexpr float kHuge = 1e15F;
+    SkinnedFile file;
+    std::vector<float> matrices(32, kHuge);
+    matrices[3] = matrices[7] = matrices[11] = matrices[19] = matrices[23] = matrices[27] = 0.0F;
+    matrices[15] = matrices[31] = 1.0F;
+    file.json["nodes"][1]["scale"] = {1e15, 1e15, 1e15};
+    file.json["skins"][0]["inverseBindMatrices"] = file.addAccessor(matrices, "MAT4", kFloat, 2);
+    file.attributes()["POSITION"] = file.addAccessor(
+        std::vector<float>{0, 0, 0, 9e17F, 0, 0, 0, 9e17F, -9e17F}, "VEC3", kFloat, 3);
+    const LoadedScene loaded = load(file);
+    for (const glm::dvec3& corner : cornersOf(loaded.scene)) {
+        EXPECT_LT(glm::length(corner), 1e35);
+    }
+    file.attributes()["POSITION"] =
+        file.addAccessor(std::vector<float>{0, 0, 0, 2e18F, 0, 0, 0, 1, 0}, "VEC3", kFloat, 3);
+    expectLine(load(file), Report::Kind::kRepaired, "/meshes/0/primitives/0/attributes/POSITION",
+               "below 1e18");
+}
+
 TEST(GltfDeformerTest, MorphedNormals) {
     MorphedFile file;
     file.primitive()["attributes"]["NORMAL"] = file.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
