@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -9,6 +10,15 @@
 #include <vector>
 
 namespace ribalta {
+namespace {
+
+std::size_t threadsAtMost() {
+    const char* const text = std::getenv("RIBALTA_THREADS");
+    const int wanted = text != nullptr ? std::atoi(text) : 0;
+    return wanted > 0 ? std::size_t(wanted) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body) {
     std::atomic<std::size_t> next = 0;
@@ -28,10 +38,10 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
         }
     };
 
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    static const std::size_t threads = threadsAtMost();
     std::vector<std::jthread> helpers;
     try {
-        for (std::size_t i = 1; i < std::min(cores, count); ++i) {
+        for (std::size_t i = 1; i < std::min(threads, count); ++i) {
             helpers.emplace_back(work);
         }
     } catch (const std::system_error&) {
