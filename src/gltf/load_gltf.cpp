@@ -316,7 +316,7 @@ LoadedScene GltfLoad::takeScene() {
     return std::move(state_->loaded);
 }
 
-Report GltfLoad::decodeImages(const std::function<void(std::size_t, Image)>& take) const {
+Report GltfLoad::decodeImages(const std::function<bool(std::size_t, Image)>& take) const {
     return withTypedErrors(state_->import.file, [&] { return state_->images.decode(take); });
 }
 
@@ -324,8 +324,10 @@ LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& optio
     GltfLoad load(path, options);
     LoadedScene loaded = load.takeScene();
     Stopwatch watch(loaded.stages);
-    loaded.report.append(load.decodeImages(
-        [&](std::size_t index, Image image) { loaded.scene.images[index] = std::move(image); }));
+    loaded.report.append(load.decodeImages([&](std::size_t index, Image image) {
+        loaded.scene.images[index] = std::move(image);
+        return true;
+    }));
     watch.lap("images");
     return loaded;
 }

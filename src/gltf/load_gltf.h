@@ -55,8 +55,9 @@ class GltfLoad {
     LoadedScene takeScene();
     /// Decodes the pictures in parallel and hands each with its index into Scene::images to
     /// `take`, from any thread; in the place of one that is missing or broken the visible
-    /// stand-in. Returns what there is to report of them.
-    Report decodeImages(const std::function<void(std::size_t, Image)>& take) const;
+    /// stand-in. Begins no more of them once `take` returns false. Returns what there is to report
+    /// of them.
+    Report decodeImages(const std::function<bool(std::size_t, Image)>& take) const;
 
   private:
     struct State;

@@ -1,5 +1,6 @@
 #include "gltf/read_images.h"
 
+#include <atomic>
 #include <optional>
 #include <span>
 #include <system_error>
@@ -205,10 +206,14 @@ std::vector<Image> ImageTable::undecoded() const {
     return images;
 }
 
-Report ImageTable::decode(const std::function<void(std::size_t, Image)>& take) const {
+Report ImageTable::decode(const std::function<bool(std::size_t, Image)>& take) const {
     std::vector<std::optional<Error>> faults(requests_.size());
     Progress progress("decoding images", requests_.size());
+    std::atomic<bool> moreAreWanted = true;
     parallelFor(requests_.size(), [&](std::size_t i) {
+        if (!moreAreWanted) {
+            return;
+        }
         Image image;
         try {
             image = decodeOne(requests_[i]);
@@ -222,7 +227,9 @@ Report ImageTable::decode(const std::function<void(std::size_t, Image)>& take) c
             faults[i] = error;
             image = makeStandInImage(requests_[i].name);
         }
-        take(i, std::move(image));
+        if (!take(i, std::move(image))) {
+            moreAreWanted = false;
+        }
         progress.step();
     });
     Report report;

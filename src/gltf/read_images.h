@@ -45,7 +45,7 @@ class ImageTable {
     /// Reads and decodes all that was asked for, and hands each with its index to `take`, from any
     /// thread. One that is missing or broken becomes the visible stand-in; returns what is to be
     /// reported. Throws LimitError where they are too much.
-    Report decode(const std::function<void(std::size_t, Image)>& take) const;
+    Report decode(const std::function<bool(std::size_t, Image)>& take) const;
 
     /// The files beside the glTF that were asked for and are there.
     const std::set<std::filesystem::path>& files() const { return files_; }

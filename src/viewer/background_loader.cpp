@@ -18,7 +18,8 @@ void BackgroundLoader::post(Event event) {
     Window::wake();
 }
 
-void BackgroundLoader::readScene(const Request& request, const LoadOptions& options, End& end) {
+void BackgroundLoader::readScene(const Request& request, const LoadOptions& options,
+                                 const std::stop_token& stop, End& end) {
     if (request.asAWhole) {
         post(SceneRead{request.path, loadGltf(request.path, options)});
         return;
@@ -28,16 +29,18 @@ void BackgroundLoader::readScene(const Request& request, const LoadOptions& opti
     const auto start = std::chrono::steady_clock::now();
     end.report = load.decodeImages([&](std::size_t index, Image image) {
         post(PictureDecoded{index, std::move(image)});
+        return !stop.stop_requested();
     });
     end.imagesMs =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void BackgroundLoader::read(const Request& request, const LoadOptions& options) {
+void BackgroundLoader::read(const Request& request, const LoadOptions& options,
+                            const std::stop_token& stop) {
     End end;
     end.path = request.path;
     try {
-        readScene(request, options, end);
+        readScene(request, options, stop, end);
     } catch (const std::bad_alloc&) {
         end.error = request.path.string() + ": out of memory";
     } catch (const std::exception& error) {
@@ -57,7 +60,8 @@ void BackgroundLoader::begin(const Request& request) {
         options.scene.reset();
         options.variant.reset();
     }
-    thread_ = std::jthread([this, request, options] { read(request, options); });
+    thread_ = std::jthread(
+        [this, request, options](const std::stop_token& stop) { read(request, options, stop); });
 }
 
 void BackgroundLoader::load(const Request& request) {

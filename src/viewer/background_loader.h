@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <utility>
@@ -63,8 +64,9 @@ class BackgroundLoader {
 
     void load(const Request& request);
     void begin(const Request& request);
-    void read(const Request& request, const LoadOptions& options);
-    void readScene(const Request& request, const LoadOptions& options, End& end);
+    void read(const Request& request, const LoadOptions& options, const std::stop_token& stop);
+    void readScene(const Request& request, const LoadOptions& options, const std::stop_token& stop,
+                   End& end);
     void post(Event event);
 
     LoadOptions options_;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -43,6 +44,37 @@ using Clock = std::chrono::steady_clock;
 double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
+
+// OpenGL, started while the scene is read. What is wrong with the scene goes before what is wrong
+// with OpenGL, so that this is said when it is asked for.
+class EarlyContext {
+  public:
+    EarlyContext() {
+        const Clock::time_point start = Clock::now();
+        try {
+            context_.emplace();
+        } catch (const Error&) {
+            fault_ = std::current_exception();
+        }
+        ms_ = msSince(start);
+    }
+
+    // Throws Error(kNoOpenGL).
+    const Context& get() const {
+        if (!context_) {
+            std::rethrow_exception(fault_);
+        }
+        logVerbose("OpenGL: " + context_->renderer() + ", " + context_->version() +
+                   (context_->isSoftware() ? " (software; no GPU found)" : ""));
+        return *context_;
+    }
+    double ms() const { return ms_; }
+
+  private:
+    std::optional<Context> context_;
+    std::exception_ptr fault_;
+    double ms_ = 0.0;
+};
 
 struct RenderOptions {
     std::string scene;
@@ -242,7 +274,9 @@ void render(RenderOptions& options) {
     const std::optional<FileCache> cache = options.cache.cache();
     LoadOptions loading = options.loading.parsed();
     loading.cache = cache ? &*cache : nullptr;
-    LoadedScene loaded = loadScene(options.scene, loading);
+    SceneAhead ahead(options.scene, loading);
+    const EarlyContext earlyContext;
+    LoadedScene loaded = ahead.takeScene();
     options.animation.pose(loaded.scene, look.time);
     BroughtLook broughtLook(look, loaded);
     if (options.look.file) {
@@ -258,20 +292,21 @@ void render(RenderOptions& options) {
                               : chooseCamera(loaded.scene, options.camera,
                                              double(settings.width) / double(settings.height));
 
-    Clock::time_point start = Clock::now();
-    const Context context;
-    logVerbose("OpenGL: " + context.renderer() + ", " + context.version() +
-               (context.isSoftware() ? " (software; no GPU found)" : ""));
-    const double contextMs = msSince(start);
+    const Context& context = earlyContext.get();
     if (const std::optional<BeamGoal> goal = options.beams.goal()) {
+        while (ahead.takePictures(loaded)) {
+        }
         settings.beams = chooseAndTell(loaded.scene, camera, settings, *goal);
     }
     const GlCounters before = glCounters();
-    start = Clock::now();
-    std::optional<Progress> progress(std::in_place, "uploading");
+    Clock::time_point start = Clock::now();
     Renderer renderer(loaded.scene, cache ? &*cache : nullptr);
-    progress.reset();
-    const double uploadMs = msSince(start);
+    double uploadMs = msSince(start);
+    while (ahead.takePictures(loaded)) {
+        start = Clock::now();
+        renderer.usePictures();
+        uploadMs += msSince(start);
+    }
 
     if (frames) {
         renderFrames({loaded.scene, renderer, camera, settings, outputs, *frames,
@@ -284,7 +319,7 @@ void render(RenderOptions& options) {
     tellOfPlan(renderer.lastPlan());
     stats.renderer = context.renderer();
     stats.load = loaded.stages;
-    stats.load.push_back({"context", contextMs});
+    stats.load.push_back({"context", earlyContext.ms()});
     stats.load.push_back({"upload", uploadMs});
     stats.load.push_back({"shaders", glCounters().programsMs - before.programsMs});
     stats.peakBytes = peakMemory();
@@ -301,7 +336,7 @@ void render(RenderOptions& options) {
     }
 
     tellOfFrames(options.scene, stats);
-    progress.emplace("writing");
+    const Progress progress("writing");
     writeOutputs(outputs, renderer.lastPlan(), renderer.targets());
     if (!options.stats.empty()) {
         writeStats(options.stats, stats);
