@@ -10,8 +10,7 @@ namespace ribalta {
 
 /// The bytes of `path`, the first `wantedBytes` where it has more. Throws Error(kBadInput) that
 /// names the path where it does not exist, is no regular file (a folder, a device, a pipe), cannot
-/// be read, or would give more than `limitBytes`. What kind of file it is, and how large, is asked
-/// of the open file: a name may stand for another one a moment later.
+/// be read, or would give more than `limitBytes`.
 std::vector<std::byte> readFile(const std::filesystem::path& path,
                                 std::uint64_t limitBytes = std::uint64_t(1) << 36,
                                 std::uint64_t wantedBytes = UINT64_MAX);

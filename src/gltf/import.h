@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include <tiny_gltf.h>
 
 #include "base/error.h"
+#include "base/mapped_file.h"
 #include "gltf/budget.h"
 #include "gltf/read_packed_views.h"
 
@@ -21,8 +23,9 @@ class MeshCache;
 /// The bytes behind one of the file's buffers; empty where the file gives none, as the fallback
 /// buffers of EXT_meshopt_compression.
 struct Buffer {
-    std::vector<std::byte> owned;      ///< what was read or decoded for it
-    std::span<const std::byte> bytes;  ///< as long as its byteLength, or empty
+    std::optional<MappedFile> file{};    ///< where it has one of its own
+    std::vector<std::byte> decoded{};    ///< of a data URI
+    std::span<const std::byte> bytes{};  ///< as long as its byteLength, or empty
 };
 
 /// One glTF on its way into a Scene. `json` is checked and mended: types and indices in it are

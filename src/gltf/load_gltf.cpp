@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
 #include <utility>
 
+#include "base/mapped_file.h"
 #include "base/parse_json.h"
-#include "base/read_file.h"
 #include "gltf/add_instances.h"
 #include "gltf/bind_dials.h"
 #include "gltf/check_extensions.h"
@@ -220,29 +221,62 @@ auto withTypedErrors(const Place& file, const Work& work) {
 
 struct GltfLoad::State {
     LoadedScene loaded;
-    Container container;  // whose bytes the buffers are
+    std::optional<MappedFile> glb;  // whose bytes the first buffer is
     Import import;
     ImageTable images{import};
 
     void read(const std::filesystem::path& path, const LoadOptions& options);
+    void expectFilesUnchanged() const;
+    template <typename Work>
+    auto run(const Work& work) const;
 };
+
+void GltfLoad::State::expectFilesUnchanged() const {
+    if (glb) {
+        glb->expectUnchanged();
+    }
+    for (const Buffer& buffer : import.buffers) {
+        if (buffer.file) {
+            buffer.file->expectUnchanged();
+        }
+    }
+}
+
+// Faults that a file has because it is being written to are told as that.
+template <typename Work>
+auto GltfLoad::State::run(const Work& work) const {
+    return withTypedErrors(import.file, [&] {
+        try {
+            return work();
+        } catch (const Error&) {
+            expectFilesUnchanged();
+            throw;
+        }
+    });
+}
 
 void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions& options) {
     Scene& scene = loaded.scene;
     Report& report = loaded.report;
     Stopwatch watch(loaded.stages);
 
-    import.file = {path.string(), ""};
     import.folder = path.parent_path();
     import.allowOutside = options.allowOutside;
     import.budget = std::make_unique<Budget>(options.limits);
-    container = readContainer(readFile(path, import.budget->memoryLeft()), import.file);
-    import.budget->takeMemory(container.bytes.size(), import.file);
+    glb.emplace(path, import.budget->memoryLeft());
+    const Container container = readContainer(glb->bytes(), import.file);
+    import.budget->takeMemory(glb->bytes().size(), import.file);
+    std::string text(container.json);
+    glb->expectUnchanged();
+    if (!container.bin) {
+        glb.reset();
+    }
     watch.lap("read");
 
-    takeDocument(import, container.json);
-    import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"},
+    takeDocument(import, text);
+    import.json = parseJson(text, import.file, {"a glTF", "export the file again"},
                             {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX});
+    text = {};
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
     checkNodes(import.json, import.file, report);
@@ -273,6 +307,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     import.meshCache = std::make_unique<MeshCache>(options.cache, dracoViews(import, scene.nodes));
     const std::vector<std::size_t> meshes = loadMeshes(import, scene, report);
     loaded.meshesFromCache = import.meshCache->found();
+    expectFilesUnchanged();
     import.meshCache->keep();
     reportDataOddities(import, meshes, report);
     watch.lap("meshes");
@@ -307,7 +342,8 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
 
 GltfLoad::GltfLoad(const std::filesystem::path& path, const LoadOptions& options)
     : state_(std::make_unique<State>()) {
-    withTypedErrors({path.string(), ""}, [&] { state_->read(path, options); });
+    state_->import.file = {path.string(), ""};
+    state_->run([&] { state_->read(path, options); });
 }
 
 GltfLoad::~GltfLoad() = default;
@@ -317,7 +353,11 @@ LoadedScene GltfLoad::takeScene() {
 }
 
 Report GltfLoad::decodeImages(const std::function<bool(std::size_t, Image)>& take) const {
-    return withTypedErrors(state_->import.file, [&] { return state_->images.decode(take); });
+    return state_->run([&] {
+        Report report = state_->images.decode(take);
+        state_->expectFilesUnchanged();
+        return report;
+    });
 }
 
 LoadedScene loadGltf(const std::filesystem::path& path, const LoadOptions& options) {

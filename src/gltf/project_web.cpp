@@ -81,7 +81,7 @@ ProjectedWeb projectWeb(const PhotometricWeb& web) {
     Image& map = projected.lightMap;
     map.width = map.height = kWebMapSide;
     map.type = Image::Type::kFloat32;
-    map.pixels.resize(side * side * map.bytesPerPixel());
+    map.pixels = RawBytes(side * side * map.bytesPerPixel());
     for (std::size_t i = 0; i < candela.size(); ++i) {
         const double share = projected.candela > 0.0 ? candela[i] / projected.candela : 0.0;
         const auto level = float(std::min(share, 1.0));

@@ -167,7 +167,7 @@ void readFromDraco(const Import& import, const tinygltf::Primitive& source, cons
     const std::size_t expectedFaces =
         source.indices >= 0 ? import.model.accessors[std::size_t(source.indices)].count / 3 : 0;
     DracoMesh mesh =
-        import.meshCache->decode(viewBytes(import, view.get<std::size_t>()), wishes.requests,
+        import.meshCache->decode(copyOfView(import, view.get<std::size_t>()), wishes.requests,
                                  expectedFaces, *import.budget, place);
     for (std::size_t i = 0; i < wishes.names.size(); ++i) {
         const std::string& name = wishes.names[i];

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 
-#include "base/read_file.h"
 #include "gltf/bad_input.h"
 #include "gltf/find_artists_file.h"
 #include "gltf/read_packed_views.h"
@@ -14,12 +13,12 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::byte> readBufferFile(const Import& import, const std::string& uri,
-                                      std::uint64_t length, const Place& place, Report& report) {
+MappedFile mapBufferFile(const Import& import, const std::string& uri, std::uint64_t length,
+                         const Place& place, Report& report) {
     const std::filesystem::path path =
         findUri(uri, import.folder, import.allowOutside, place, report);
     try {
-        return readFile(path, import.budget->memoryLeft(), length);
+        return MappedFile(path, import.budget->memoryLeft(), length);
     } catch (const Error& error) {
         badInput(place, "buffer cannot be read: " + std::string(error.what()));
     }
@@ -36,12 +35,13 @@ Buffer readBuffer(const Import& import, std::size_t index,
         const auto& text = uri.get_ref<const std::string&>();
         if (isDataUri(text)) {
             import.budget->expectMemory(text.size(), place.at("uri"));
-            result.owned = decodeDataUri(text, place.at("uri"));
+            result.decoded = decodeDataUri(text, place.at("uri"));
+            result.bytes = result.decoded;
         } else {
-            result.owned = readBufferFile(import, text, length, place.at("uri"), report);
+            result.file = mapBufferFile(import, text, length, place.at("uri"), report);
+            result.bytes = result.file->bytes();
         }
-        import.budget->takeMemory(result.owned.size(), place);
-        result.bytes = result.owned;
+        import.budget->takeMemory(result.bytes.size(), place);
     } else if (bin) {
         result.bytes = *bin;
     } else {
@@ -91,6 +91,11 @@ std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferVie
                             std::to_string(bytes.size()) + " bytes; export the file again");
     }
     return bytes.subspan(view.byteOffset, view.byteLength);
+}
+
+std::vector<std::byte> copyOfView(const Import& import, std::size_t bufferView) {
+    const std::span<const std::byte> bytes = viewBytes(import, bufferView);
+    return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace ribalta::gltf

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
-#include <utility>
 
 #include "base/bytes.h"
 #include "gltf/bad_input.h"
@@ -16,8 +15,7 @@ constexpr std::size_t kChunkHeaderBytes = 8;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinChunk = 0x004E4942;
 
-void splitGlb(Container& container, const Place& file) {
-    const std::vector<std::byte>& bytes = container.bytes;
+void splitGlb(std::span<const std::byte> bytes, Container& container, const Place& file) {
     if (bytes.size() < kHeaderBytes + kChunkHeaderBytes) {
         badInput(file, "is a GLB cut off after " + std::to_string(bytes.size()) +
                            " bytes; export or copy it again");
@@ -43,7 +41,7 @@ void splitGlb(Container& container, const Place& file) {
                                std::to_string(size) + " bytes, only " +
                                std::to_string(length - at) + " are left; export or copy it again");
         }
-        const std::span<const std::byte> content(bytes.data() + at, size);
+        const std::span<const std::byte> content = bytes.subspan(at, size);
         if (chunk == 0) {
             if (type != kJsonChunk) {
                 badInput(file, "is a damaged GLB: its first chunk is not JSON; export it again");
@@ -61,15 +59,14 @@ void splitGlb(Container& container, const Place& file) {
 
 }  // namespace
 
-Container readContainer(std::vector<std::byte> bytes, const Place& file) {
+Container readContainer(std::span<const std::byte> bytes, const Place& file) {
     Container container;
-    container.bytes = std::move(bytes);
-    const std::string_view text = textOf(container.bytes);
+    const std::string_view text = textOf(bytes);
     if (text.empty()) {
         badInput(file, "is empty; expected a .gltf or .glb file");
     }
     if (text.starts_with("glTF")) {
-        splitGlb(container, file);
+        splitGlb(bytes, container, file);
         return container;
     }
     container.json = text;

@@ -5,21 +5,19 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "base/error.h"
 
 namespace ribalta::gltf {
 
-/// Owns a file's bytes; the views are into them.
+/// Views into a file's bytes.
 struct Container {
-    std::vector<std::byte> bytes;
     std::string_view json;                          ///< UTF-8, without a byte order mark
     std::optional<std::span<const std::byte>> bin;  ///< a GLB's binary chunk
 };
 
 /// Splits a file. Throws Error(kBadInput) where it is empty, truncated, of another container
 /// version, or neither JSON nor GLB.
-Container readContainer(std::vector<std::byte> bytes, const Place& file);
+Container readContainer(std::span<const std::byte> bytes, const Place& file);
 
 }  // namespace ribalta::gltf

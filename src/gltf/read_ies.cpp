@@ -53,7 +53,7 @@ IesProfile readProfile(const Import& import, const json& source, const Place& pl
         }
     }
     if (view.is_number_integer() && view >= 0 && view < import.model.bufferViews.size()) {
-        return parseIes(textOf(viewBytes(import, view.get<std::size_t>())), place);
+        return parseIes(textOf(copyOfView(import, view.get<std::size_t>())), place);
     }
     badInput(place, "has neither a uri nor the index of a bufferView; export the file again");
 }

@@ -86,7 +86,10 @@ std::vector<std::byte> unpack(const Import& import, std::size_t view) {
                                              ", the buffer view's own is " + std::to_string(outer) +
                                              "; pack the mesh again");
     }
-    return decodeMeshopt(bytes.subspan(offset, length), layout, *import.budget, place);
+    // A copy, as copyOfView makes it.
+    const std::span<const std::byte> packed = bytes.subspan(offset, length);
+    return decodeMeshopt(std::vector<std::byte>(packed.begin(), packed.end()), layout,
+                         *import.budget, place);
 }
 
 }  // namespace

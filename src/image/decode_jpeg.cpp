@@ -30,7 +30,7 @@ std::optional<Image> decodePlainJpeg(std::span<const std::byte> encoded,
     Image image;
     image.width = width;
     image.height = height;
-    image.pixels.resize(std::size_t(width) * std::size_t(height) * 4);
+    image.pixels = RawBytes(std::size_t(width) * std::size_t(height) * 4);
     // A few bytes may else ask for hours of passes over the picture. Missing alpha comes out
     // opaque.
     constexpr int kFlags = TJFLAG_LIMITSCANS;

@@ -333,7 +333,7 @@ std::optional<Image> decodePlainPng(Bytes encoded, const ImageLimits& limits) {
     Image image;
     image.width = parts->header.width;
     image.height = parts->header.height;
-    image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
+    image.pixels = RawBytes(std::size_t(image.width) * std::size_t(image.height) * 4);
     return writeRows(*parts, rows->bytes.get(), image.pixels) ? std::optional(std::move(image))
                                                               : std::nullopt;
 }

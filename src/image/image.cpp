@@ -16,7 +16,7 @@ Image makeStandInImage(const std::string& name) {
     image.name = name;
     image.width = kSide;
     image.height = kSide;
-    image.pixels.resize(std::size_t(kSide) * kSide * 4);
+    image.pixels = RawBytes(std::size_t(kSide) * kSide * 4);
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
             const bool magenta = ((x / kSquare) + (y / kSquare)) % 2 == 0;

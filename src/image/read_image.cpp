@@ -53,14 +53,16 @@ Result decodeBy(std::string (*ImageCodec::*decode)(std::span<const std::byte>, I
                                                    const ImageLimits&, Result&),
                 std::span<const std::byte> encoded, const Place& place, const ImageLimits& limits) {
     const ImageFormat format = knownFormat(encoded, place);
-    const EssentialChunks essential = essentialChunks(encoded, format);
+    EssentialChunks essential = essentialChunks(encoded, format);
+    // A copy in any case: libraries check what they look at again.
+    if (essential.encoded.empty()) {
+        essential.encoded.assign(encoded.begin(), encoded.end());
+    }
     std::string wrong =
-        essential.wrong.empty() ? faultOf(encoded, format, limits) : essential.wrong;
+        essential.wrong.empty() ? faultOf(essential.encoded, format, limits) : essential.wrong;
     Result result;
     if (wrong.empty()) {
-        const std::span<const std::byte> whole =
-            essential.encoded.empty() ? encoded : std::span(essential.encoded);
-        wrong = (imageCodec().*decode)(whole, format, limits, result);
+        wrong = (imageCodec().*decode)(essential.encoded, format, limits, result);
     }
     if (!wrong.empty()) {
         throw Error(ErrorKind::kBadInput, place, wrong);

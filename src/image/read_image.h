@@ -13,7 +13,8 @@ namespace ribalta {
 
 /// Decodes a whole encoded picture (PNG, JPEG, WebP, EXR, HDR, ...; by its content, not its name).
 /// Throws Error(kBadInput) at `place` where it is broken, over the limits or of no known format.
-/// Safe to call from several threads at once.
+/// Safe to call from several threads at once, and on bytes that another program writes to, of which
+/// then comes any picture or an error.
 Image decodeImage(std::span<const std::byte> encoded, const Place& place,
                   const ImageLimits& limits = {});
 

@@ -125,11 +125,13 @@ Image makeImage(int width, int height, const std::function<glm::vec4(int x, int 
     image.name = "made";
     image.width = width;
     image.height = height;
+    image.pixels = RawBytes(std::size_t(width) * std::size_t(height) * 4);
+    std::byte* to = image.pixels.data();
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const glm::vec4 texel = color(x, y);
             for (int c = 0; c < 4; ++c) {
-                image.pixels.push_back(std::byte(int(std::lround(255.0F * texel[c]))));
+                *to++ = std::byte(int(std::lround(255.0F * texel[c])));
             }
         }
     }

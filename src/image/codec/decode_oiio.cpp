@@ -242,9 +242,7 @@ std::vector<float> intoDisplayWindow(const std::vector<float>& stored, const Ima
 
 template <typename T>
 RawBytes asBytes(const std::vector<T>& values) {
-    RawBytes bytes(values.size() * sizeof(T));
-    std::memcpy(bytes.data(), values.data(), bytes.size());
-    return bytes;
+    return RawBytes(std::as_bytes(std::span(values)));
 }
 
 }  // namespace
@@ -285,7 +283,7 @@ Image decodeWithOiio(std::span<const std::byte> encoded, ImageFormat format,
         }
     } else {
         const auto wide = readRgba<std::uint16_t>(picture, TypeDesc::UINT16, limits, 65535);
-        image.pixels.resize(wide.size());
+        image.pixels = RawBytes(wide.size());
         std::transform(wide.begin(), wide.end(), image.pixels.begin(), [](std::uint16_t value) {
             return std::byte((std::uint32_t(value) * 255 + 32767) / 65535);
         });

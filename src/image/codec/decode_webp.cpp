@@ -19,7 +19,7 @@ Image decodeWebp(std::span<const std::byte> encoded, const ImageLimits& limits) 
     Image image;
     image.width = features.width;
     image.height = features.height;
-    image.pixels.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
+    image.pixels = RawBytes(std::size_t(image.width) * std::size_t(image.height) * 4);
     // Straight alpha; a missing one comes out opaque.
     if (WebPDecodeRGBAInto(bytes, encoded.size(),
                            reinterpret_cast<std::uint8_t*>(image.pixels.data()),

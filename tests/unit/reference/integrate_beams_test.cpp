@@ -233,11 +233,13 @@ Image makePattern() {
     Image image;
     image.width = 16;
     image.height = 16;
+    image.pixels = RawBytes(16 * 16 * 4);
+    std::byte* to = image.pixels.data();
     for (int i = 0; i < 16 * 16; ++i) {
         const int x = i % 16;
         const int y = i / 16;
         for (const int channel : {40 + 13 * x, 255 - 11 * y, (37 * x + 91 * y) % 256, 255}) {
-            image.pixels.push_back(std::byte(channel));
+            *to++ = std::byte(channel);
         }
     }
     return image;

@@ -13,11 +13,13 @@ Image makeImage(int width, int height, std::initializer_list<std::array<int, 3>>
     Image image;
     image.width = width;
     image.height = height;
+    image.pixels = RawBytes(texels.size() * 4);
+    std::byte* to = image.pixels.data();
     for (const std::array<int, 3>& texel : texels) {
         for (const int channel : texel) {
-            image.pixels.push_back(std::byte(channel));
+            *to++ = std::byte(channel);
         }
-        image.pixels.push_back(std::byte(0));
+        *to++ = std::byte(0);
     }
     return image;
 }
@@ -58,7 +60,7 @@ TEST(LightMapTexture, FloatsAreLinearAlready) {
     image.height = 1;
     image.type = Image::Type::kFloat32;
     const std::array<float, 4> texel = {2.5F, 0.5F, 0.0F, 1.0F};
-    image.pixels.resize(sizeof texel);
+    image.pixels = RawBytes(sizeof texel);
     std::memcpy(image.pixels.data(), texel.data(), sizeof texel);
     expectNear(LightMapTexture(image).at({0.3, 0.8}), {2.5, 0.5, 0.0});
 }

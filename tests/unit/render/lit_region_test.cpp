@@ -55,7 +55,7 @@ TEST(LitRegion, OneFaintTexelOfAnyChannelCounts) {
     Image floats;
     floats.width = floats.height = 4;
     floats.type = Image::Type::kFloat32;
-    floats.pixels.assign(4 * 4 * 16, std::byte(0));
+    floats.pixels = RawBytes(4 * 4 * 16, std::byte(0));
     EXPECT_TRUE(litRegion(floats).isDark);
     const float faint = 1e-30F;
     std::memcpy(&floats.pixels[16 * 5], &faint, sizeof faint);
