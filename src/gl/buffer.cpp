@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/error.h"
 #include "gl/counters.h"
 
 namespace ribalta {
@@ -31,6 +32,26 @@ void Buffer::write(const std::string& label, std::span<const std::byte> bytes) {
     }
 }
 
+void Buffer::fill(const std::string& label, std::size_t size,
+                  const std::function<void(std::span<std::byte>)>& write) {
+    reserve(label, size);
+    if (size == 0) {
+        return;
+    }
+    // The driver may lose what was written, as when a screen's mode changes (OpenGL 4.5, 6.3.1).
+    for (bool isKept = false; !isKept;) {
+        void* const start = glMapNamedBufferRange(handle_.name(), 0, GLsizeiptr(size),
+                                                  GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+        if (start == nullptr) {
+            throw Error(ErrorKind::kJobFailed, {},
+                        label + ": no memory on the GPU for " + std::to_string(size) +
+                            " bytes; leave something out of the scene");
+        }
+        write({static_cast<std::byte*>(start), size});
+        isKept = glUnmapNamedBuffer(handle_.name()) == GL_TRUE;
+    }
+}
+
 void Buffer::reserve(const std::string& label, std::size_t size) {
     if (handle_ && size <= size_) {
         return;
@@ -42,7 +63,8 @@ void Buffer::reserve(const std::string& label, std::size_t size) {
     // A buffer of no bytes is an error in OpenGL, and an empty list is none here.
     size_ = std::max<std::size_t>(size, 16);
     countAllocation(size_);
-    glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(name, GLsizeiptr(size_), nullptr,
+                         GL_DYNAMIC_STORAGE_BIT | GL_MAP_WRITE_BIT);
     glObjectLabel(GL_BUFFER, name, GLsizei(label.size()), label.c_str());
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,11 @@ class Buffer {
 
     /// Replaces the content; memory is taken anew only where `bytes` does not fit.
     void write(const std::string& label, std::span<const std::byte> bytes);
+    /// The same of `size` bytes, without a copy of them here: `write` sets all of what it is given,
+    /// from any threads, and reads none of it; it may be called again. Throws Error(kJobFailed)
+    /// where there is no memory.
+    void fill(const std::string& label, std::size_t size,
+              const std::function<void(std::span<std::byte>)>& write);
     /// Makes room for `size` bytes; the content is lost where memory is taken anew.
     void reserve(const std::string& label, std::size_t size);
     /// Shows shaders element `index` of a buffer of spreadForUniforms in a uniform block.

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <set>
+#include <utility>
 
 #include <shared/deform.h>
 #include <shared/slots.h>
 #include <shared/surface.h>
 
 #include "base/log.h"
+#include "base/parallel_for.h"
 #include "gl/counters.h"
 #include "optics/shader_lib.h"
 #include "render/upload_image.h"
@@ -44,28 +47,49 @@ GLenum modeOf(Topology topology) {
     return GL_TRIANGLES;
 }
 
-void appendAttributes(const Primitive& primitive, std::vector<VertexAttributes>& attributes) {
-    for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
-        VertexAttributes& vertex = attributes.emplace_back();
-        if (!primitive.normals.empty()) {
-            vertex.normal = primitive.normals[i];
-        }
-        if (!primitive.tangents.empty()) {
-            vertex.tangent = primitive.tangents[i];
-        }
-        if (!primitive.uv0.empty()) {
-            vertex.uv0 = primitive.uv0[i];
-        }
-        if (!primitive.uv1.empty()) {
-            vertex.uv1 = primitive.uv1[i];
-        }
-        if (!primitive.colors.empty()) {
-            const glm::vec4 color = glm::clamp(primitive.colors[i], 0.0F, 1.0F) * 65535.0F + 0.5F;
-            for (int c = 0; c < 4; ++c) {
-                vertex.color[std::size_t(c)] = std::uint16_t(color[c]);
-            }
+VertexAttributes attributesOf(const Primitive& primitive, std::size_t i) {
+    VertexAttributes vertex;
+    if (!primitive.normals.empty()) {
+        vertex.normal = primitive.normals[i];
+    }
+    if (!primitive.tangents.empty()) {
+        vertex.tangent = primitive.tangents[i];
+    }
+    if (!primitive.uv0.empty()) {
+        vertex.uv0 = primitive.uv0[i];
+    }
+    if (!primitive.uv1.empty()) {
+        vertex.uv1 = primitive.uv1[i];
+    }
+    if (!primitive.colors.empty()) {
+        const glm::vec4 color = glm::clamp(primitive.colors[i], 0.0F, 1.0F) * 65535.0F + 0.5F;
+        for (int c = 0; c < 4; ++c) {
+            vertex.color[std::size_t(c)] = std::uint16_t(color[c]);
         }
     }
+    return vertex;
+}
+
+// A primitive's vertices or indices, and how many lie before them in a buffer.
+struct Placed {
+    const Primitive* primitive = nullptr;
+    std::size_t first = 0;
+};
+
+// Fills a buffer of `count` elements: `elementOf(primitive, i)` is one of those of a primitive.
+template <typename Element, typename CountOf, typename ElementOf>
+void upload(Buffer& buffer, const std::string& label, std::size_t count,
+            const std::vector<Placed>& parts, const CountOf& countOf, const ElementOf& elementOf) {
+    buffer.fill(label, count * sizeof(Element), [&](std::span<std::byte> bytes) {
+        parallelFor(parts.size(), [&](std::size_t p) {
+            const auto [primitive, first] = parts[p];
+            std::byte* to = bytes.data() + first * sizeof(Element);
+            for (std::size_t i = 0; i < countOf(*primitive); ++i, to += sizeof(Element)) {
+                const Element element = elementOf(*primitive, i);
+                std::memcpy(to, &element, sizeof element);
+            }
+        });
+    });
 }
 
 // `instanceColumns`: four floats each, of what an instance has of its own.
@@ -126,16 +150,15 @@ std::array<SlotUse, gpu::kMaterialTextures> slotsOf(const Material& material) {
              {&material.emissiveTexture, true}}};
 }
 
-bool hasPixels(const Scene& scene, const TextureSlot& slot) {
-    const int image = scene.textures[std::size_t(slot.texture)].image;
-    return !scene.images[std::size_t(image)].pixels.empty();
-}
+// Whether the picture of a slot that is used is on the GPU.
+using IsUploaded = std::function<bool(const TextureSlot& slot, bool colors)>;
 
 // What the shader needs to look textures up, into a SurfaceMaterial or SurfaceLayers.
 template <std::size_t N, typename Description>
-void describeSlots(const Scene& scene, const std::array<SlotUse, N>& slots, Description& result) {
+void describeSlots(const std::array<SlotUse, N>& slots, const IsUploaded& isUploaded,
+                   Description& result) {
     for (std::size_t t = 0; t < slots.size(); ++t) {
-        if (!*slots[t].slot || !hasPixels(scene, **slots[t].slot)) {
+        if (!*slots[t].slot || !isUploaded(**slots[t].slot, slots[t].colors)) {
             continue;
         }
         const TextureSlot& slot = **slots[t].slot;
@@ -147,7 +170,7 @@ void describeSlots(const Scene& scene, const std::array<SlotUse, N>& slots, Desc
     }
 }
 
-gpu::SurfaceLayers describeLayers(const Scene& scene, const MaterialLayers& layers) {
+gpu::SurfaceLayers describeLayers(const MaterialLayers& layers, const IsUploaded& isUploaded) {
     gpu::SurfaceLayers result{};
     result.specular = glm::vec4(layers.specularColor, layers.specular);
     result.coat = glm::vec4(layers.clearcoat, layers.clearcoatRoughness,
@@ -156,11 +179,11 @@ gpu::SurfaceLayers describeLayers(const Scene& scene, const MaterialLayers& laye
     result.anisotropy = glm::vec4(layers.anisotropy, std::cos(layers.anisotropyRotation),
                                   std::sin(layers.anisotropyRotation), layers.transmission);
     result.flags.x = layers.glossinessInSpecular ? gpu::kGlossinessFlag : 0;
-    describeSlots(scene, slotsOf(layers), result);
+    describeSlots(slotsOf(layers), isUploaded, result);
     return result;
 }
 
-gpu::SurfaceMaterial describeMaterial(const Scene& scene, const Material& material) {
+gpu::SurfaceMaterial describeMaterial(const Material& material, const IsUploaded& isUploaded) {
     gpu::SurfaceMaterial result{};
     result.baseColor = material.baseColor;
     result.emission = glm::vec4(material.emission, material.alphaCutoff);
@@ -168,7 +191,7 @@ gpu::SurfaceMaterial describeMaterial(const Scene& scene, const Material& materi
                                material.occlusionStrength);
     result.flags.x =
         (material.unlit ? gpu::kUnlitFlag : 0) | (material.doubleSided ? gpu::kDoubleSidedFlag : 0);
-    describeSlots(scene, slotsOf(material), result);
+    describeSlots(slotsOf(material), isUploaded, result);
     return result;
 }
 
@@ -209,27 +232,38 @@ GpuScene::GpuScene(const Scene& scene) {
 }
 
 void GpuScene::uploadGeometry(const Scene& scene) {
-    std::vector<glm::vec3> positions;
-    std::vector<VertexAttributes> attributes;
-    std::vector<std::uint32_t> indices;
-    const auto appendVertices = [&](const Primitive& primitive) {
-        positions.insert(positions.end(), primitive.positions.begin(), primitive.positions.end());
-        appendAttributes(primitive, attributes);
+    std::vector<Placed> vertices;
+    std::vector<Placed> indices;
+    std::size_t vertexCount = 0;
+    std::size_t indexCount = 0;
+    const auto placeVertices = [&](const Primitive& primitive) {
+        const std::size_t first = vertexCount;
+        vertices.push_back({&primitive, first});
+        vertexCount += primitive.positions.size();
+        return first;
+    };
+    // Where those lie that need to be there but once; vertices, of what is drawn at rest.
+    std::map<int, std::size_t> sharedIndices;
+    std::map<int, std::size_t> sharedVertices;
+    const auto placeOnce = [](std::map<int, std::size_t>& shared, int number, const auto& place) {
+        const auto known = number < 0 ? shared.end() : shared.find(number);
+        if (known != shared.end()) {
+            return known->second;
+        }
+        const std::size_t first = place();
+        if (number >= 0) {
+            shared.emplace(number, first);
+        }
+        return first;
+    };
+    const auto placeIndices = [&](const Primitive& primitive) {
+        return placeOnce(sharedIndices, primitive.sharedIndices, [&] {
+            indices.push_back({&primitive, indexCount});
+            return std::exchange(indexCount, indexCount + primitive.indices.size());
+        });
     };
     // Meshes that are drawn deformed alone need no vertices of their own; those that no node has
     // may be given to one later.
-    std::map<int, std::size_t> sharedIndices;   // where they lie
-    std::map<int, std::size_t> sharedVertices;  // where they lie, of those drawn at rest
-    const auto appendIndices = [&](const Primitive& primitive) {
-        const auto [place, isNew] =
-            sharedIndices.emplace(primitive.sharedIndices, indices.size() * sizeof(std::uint32_t));
-        if (primitive.sharedIndices >= 0 && !isNew) {
-            return place->second;
-        }
-        const std::size_t offset = indices.size() * sizeof(std::uint32_t);
-        indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
-        return offset;
-    };
     std::vector<bool> isOfNode(scene.meshes.size(), false);
     std::vector<bool> isDrawnAtRest(scene.meshes.size(), false);
     for (const Node& node : scene.nodes) {
@@ -242,17 +276,13 @@ void GpuScene::uploadGeometry(const Scene& scene) {
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         std::vector<Geometry>& list = geometry_.emplace_back();
         for (const Primitive& primitive : scene.meshes[m].primitives) {
-            list.push_back({modeOf(primitive.topology), GLsizei(primitive.indices.size()),
-                            appendIndices(primitive), GLint(positions.size())});
-            if (!isDrawnAtRest[m] && isOfNode[m]) {
-                continue;
-            }
-            const auto [place, isNew] =
-                sharedVertices.emplace(primitive.sharedVertices, positions.size());
-            if (primitive.sharedVertices >= 0 && !isNew) {
-                list.back().baseVertex = GLint(place->second);
-            } else {
-                appendVertices(primitive);
+            Geometry& geometry = list.emplace_back();
+            geometry.mode = modeOf(primitive.topology);
+            geometry.indexCount = GLsizei(primitive.indices.size());
+            geometry.indexOffset = placeIndices(primitive) * sizeof(std::uint32_t);
+            if (isDrawnAtRest[m] || !isOfNode[m]) {
+                geometry.baseVertex = GLint(placeOnce(sharedVertices, primitive.sharedVertices,
+                                                      [&] { return placeVertices(primitive); }));
             }
         }
     }
@@ -261,18 +291,21 @@ void GpuScene::uploadGeometry(const Scene& scene) {
         std::vector<Geometry>& list = deformedGeometry_[deformer.node];
         list = geometry_[mesh];
         for (std::size_t p = 0; p < list.size(); ++p) {
-            const std::size_t first = (positions.size() + kDeformedAlignment - 1) /
-                                      kDeformedAlignment * kDeformedAlignment;
-            positions.resize(first);
-            attributes.resize(first);
-            list[p].baseVertex = GLint(first);
-            appendVertices(scene.meshes[mesh].primitives[p]);
+            vertexCount =
+                (vertexCount + kDeformedAlignment - 1) / kDeformedAlignment * kDeformedAlignment;
+            list[p].baseVertex = GLint(placeVertices(scene.meshes[mesh].primitives[p]));
         }
     }
 
-    positions_.write("positions", bytesOf(positions));
-    attributes_.write("vertex attributes", bytesOf(attributes));
-    indices_.write("indices", bytesOf(indices));
+    const auto vertexCountOf = [](const Primitive& part) { return part.positions.size(); };
+    upload<glm::vec3>(positions_, "positions", vertexCount, vertices, vertexCountOf,
+                      [](const Primitive& part, std::size_t i) { return part.positions[i]; });
+    upload<VertexAttributes>(attributes_, "vertex attributes", vertexCount, vertices, vertexCountOf,
+                             attributesOf);
+    upload<std::uint32_t>(
+        indices_, "indices", indexCount, indices,
+        [](const Primitive& part) { return part.indices.size(); },
+        [](const Primitive& part, std::size_t i) { return part.indices[i]; });
     const auto arrayFor = [&](std::size_t instanceBytes) {
         return Handle<deleteVertexArray>(makeVertexArray(positions_, attributes_, indices_,
                                                          int(instanceBytes / sizeof(glm::vec4))));
@@ -323,8 +356,8 @@ void GpuScene::uploadMaterials(const Scene& scene) {
         useAll(slotsOf(material));
         layerIndices_.push_back(material.layers ? int(layers.size()) : -1);
         if (material.layers) {
-            layers.push_back(describeLayers(scene, *material.layers));
             useAll(slotsOf(*material.layers));
+            layers.push_back(describeLayers(*material.layers, isUploadedOf(scene)));
         }
     }
     if (!layers.empty()) {
@@ -334,18 +367,25 @@ void GpuScene::uploadMaterials(const Scene& scene) {
     useMaterials(scene);
 }
 
+std::function<bool(const TextureSlot&, bool)> GpuScene::isUploadedOf(const Scene& scene) const {
+    return [&](const TextureSlot& slot, bool colors) {
+        return images_.contains({scene.textures[std::size_t(slot.texture)].image, colors});
+    };
+}
+
 void GpuScene::useMaterials(const Scene& scene) {
     std::vector<gpu::SurfaceMaterial> materials;
     hasTextures_.clear();
+    const IsUploaded isUploaded = isUploadedOf(scene);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        materials.push_back(describeMaterial(scene, scene.materials[i]));
+        materials.push_back(describeMaterial(scene.materials[i], isUploaded));
         hasTextures_.push_back(materials.back().flags.y != 0);
         if (scene.materials[i].layers) {
             materials.back().flags.w = layerIndices_[i];
         }
     }
     defaultMaterial_ = int(materials.size());
-    materials.push_back(describeMaterial(scene, Material{}));
+    materials.push_back(describeMaterial(Material{}, isUploaded));
     hasTextures_.push_back(false);
     materials_.write("materials", spreadForUniforms(materials));
 }

@@ -2,6 +2,7 @@
 // nothing of cameras and frames.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -65,8 +66,8 @@ class GpuScene {
     /// Binds an item's material to its slot and the material's pictures to their units.
     void bindMaterial(const Scene& scene, const DrawItem& item) const;
 
-    /// Uploads pictures that the scene has got since: materials whose pictures have no pixels are
-    /// drawn without them.
+    /// Uploads pictures that the scene has got since; their pixels are not looked at again.
+    /// Materials are drawn without those pictures that never had any.
     void usePictures(const Scene& scene);
 
     /// Uploads the numbers of materials that have changed since; their pictures and layers stay.
@@ -87,6 +88,8 @@ class GpuScene {
     void uploadGeometry(const Scene& scene);
     void uploadMaterials(const Scene& scene);
     void useTexture(const Scene& scene, const TextureSlot& slot, bool colors);
+    /// Whether the picture of a material's slot, of colours or not, is there.
+    std::function<bool(const TextureSlot&, bool)> isUploadedOf(const Scene& scene) const;
 
     std::vector<std::vector<Geometry>> geometry_;            ///< by mesh and primitive
     std::map<int, std::vector<Geometry>> deformedGeometry_;  ///< by node and primitive

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -140,6 +141,21 @@ double msSinceProcessStart() {
     clock_gettime(CLOCK_BOOTTIME, &now);
     return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec) -
            1e3 * std::strtod(word.c_str(), nullptr) / double(sysconf(_SC_CLK_TCK));
+}
+
+// Those that lamps project are uploaded again where their number changes.
+void letGoOfSurfacePictures(Scene& scene) {
+    std::set<int> projected;
+    for (const SpotLight& lamp : scene.spotLights) {
+        if (lamp.lightMap) {
+            projected.insert(lamp.lightMap->image);
+        }
+    }
+    for (std::size_t i = 0; i < scene.images.size(); ++i) {
+        if (!projected.contains(int(i))) {
+            scene.images[i].pixels = {};
+        }
+    }
 }
 
 std::uint64_t peakMemory() {
@@ -301,12 +317,15 @@ void render(RenderOptions& options) {
     const GlCounters before = glCounters();
     Clock::time_point start = Clock::now();
     Renderer renderer(loaded.scene, cache ? &*cache : nullptr);
+    letGoOfSurfacePictures(loaded.scene);
     double uploadMs = msSince(start);
     while (ahead.takePictures(loaded)) {
         start = Clock::now();
         renderer.usePictures();
+        letGoOfSurfacePictures(loaded.scene);
         uploadMs += msSince(start);
     }
+    const std::uint64_t uploadedBytes = glCounters().bytesAllocated - before.bytesAllocated;
 
     if (frames) {
         renderFrames({loaded.scene, renderer, camera, settings, outputs, *frames,
@@ -322,6 +341,7 @@ void render(RenderOptions& options) {
     stats.load.push_back({"context", earlyContext.ms()});
     stats.load.push_back({"upload", uploadMs});
     stats.load.push_back({"shaders", glCounters().programsMs - before.programsMs});
+    stats.uploadedBytes = uploadedBytes;
     stats.peakBytes = peakMemory();
 
     if (!options.stats.empty()) {

@@ -149,6 +149,7 @@ void writeStats(const std::filesystem::path& file, const RenderStats& stats) {
           {"programs_built", stats.programsBuilt},
           {"textures_made", stats.texturesMade}}},
         {"load", load},
+        {"uploaded_bytes", stats.uploadedBytes},
         {"peak_bytes", stats.peakBytes},
         {"ev100", stats.ev100 ? nlohmann::json(*stats.ev100) : nlohmann::json()}};
     writeFileAtomically(file, json.dump(2) + "\n");

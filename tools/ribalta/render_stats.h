@@ -54,6 +54,7 @@ struct RenderStats {
     std::uint64_t programsBuilt = 0;
     double firstPixelMs = 0.0;  ///< from the start of the process to the end of its first frame
     std::uint64_t texturesMade = 0;
+    std::uint64_t uploadedBytes = 0;  ///< geometry, pictures and materials in OpenGL's memory
     std::uint64_t peakBytes = 0;
     std::optional<double> ev100;
 };
