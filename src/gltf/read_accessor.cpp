@@ -80,16 +80,17 @@ std::uint32_t loadIndex(const std::byte* bytes, int type) {
 
 // Elements at a fixed distance, known to lie inside their buffer view.
 struct Elements {
-    const std::byte* first = nullptr;
+    ViewBytes bytes;
+    std::size_t offset = 0;
     std::size_t stride = 0;
 
-    const std::byte* at(std::size_t index) const { return first + index * stride; }
+    const std::byte* at(std::size_t index) const { return bytes.data() + offset + index * stride; }
 };
 
 // `count` elements of `size` bytes, `stride` apart, from `offset` in a buffer view.
 Elements locate(const Import& import, std::size_t view, std::size_t offset, std::size_t count,
                 std::size_t size, std::size_t stride, const Place& place) {
-    const std::span<const std::byte> bytes = viewBytes(import, view);
+    ViewBytes bytes = viewBytes(import, view);
     if (stride < size) {
         badInput(place, "has elements of " + std::to_string(size) +
                             " bytes in a buffer view with a stride of " + std::to_string(stride) +
@@ -103,7 +104,7 @@ Elements locate(const Import& import, std::size_t view, std::size_t offset, std:
                             std::to_string(offset) + "; its buffer view has " +
                             std::to_string(bytes.size()) + " bytes");
     }
-    return {bytes.data() + offset, stride};
+    return {std::move(bytes), offset, stride};
 }
 
 // Replaces elements as the accessor's sparse part says.

@@ -74,7 +74,7 @@ std::vector<Buffer> readBuffers(const Import& import, std::optional<std::span<co
     return buffers;
 }
 
-std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferView) {
+ViewBytes viewBytes(const Import& import, std::size_t bufferView) {
     if (isPacked(import, bufferView)) {
         return packedBytes(import, bufferView);
     }
@@ -90,11 +90,11 @@ std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferVie
                             std::to_string(view.byteLength) + " of a buffer of " +
                             std::to_string(bytes.size()) + " bytes; export the file again");
     }
-    return bytes.subspan(view.byteOffset, view.byteLength);
+    return {bytes.subspan(view.byteOffset, view.byteLength)};
 }
 
 std::vector<std::byte> copyOfView(const Import& import, std::size_t bufferView) {
-    const std::span<const std::byte> bytes = viewBytes(import, bufferView);
+    const ViewBytes bytes = viewBytes(import, bufferView);
     return {bytes.begin(), bytes.end()};
 }
 

@@ -21,7 +21,7 @@ std::vector<Buffer> readBuffers(const Import& import, std::optional<std::span<co
 /// The bytes of a buffer view, unpacked where it is packed. Throws Error(kBadInput) where it
 /// reaches past its buffer or the file gives that buffer no data. They may lie in a file that
 /// another program writes to: each is to be looked at once.
-std::span<const std::byte> viewBytes(const Import& import, std::size_t bufferView);
+ViewBytes viewBytes(const Import& import, std::size_t bufferView);
 
 /// A copy of the same, for decoders, which check what they look at again.
 std::vector<std::byte> copyOfView(const Import& import, std::size_t bufferView);

@@ -78,7 +78,8 @@ int ImageTable::useImage(std::size_t image) {
     if (!uri.is_string() && view.is_number_integer()) {
         key = "bufferView " + view.dump();
         try {
-            bytes = viewBytes(import_, view.get<std::size_t>());
+            // Of packed views, too, those stay: no more reads are expected.
+            bytes = std::span<const std::byte>(viewBytes(import_, view.get<std::size_t>()));
         } catch (const LimitError&) {
             throw;
         } catch (const Error&) {

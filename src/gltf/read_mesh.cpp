@@ -216,10 +216,13 @@ std::optional<Primitive> readPrimitive(const Import& import, const TangentUvs& t
     return primitive;
 }
 
-// The accessors of all jobs.
+// The accessors that the jobs read: twins are copies.
 std::vector<std::size_t> listAccessors(const Import& import, const std::vector<Job>& jobs) {
     std::vector<std::size_t> accessors;
     for (const Job& job : jobs) {
+        if (job.twin != nullptr) {
+            continue;
+        }
         const tinygltf::Primitive& source =
             import.model.meshes[job.use.mesh].primitives[job.primitive];
         if (source.indices >= 0) {
@@ -289,6 +292,7 @@ bool copyTwin(const Import& import, Job& job) {
 
 void runJobs(const Import& import, const TangentUvs& tangentUvs, std::vector<Job>& jobs) {
     findTwins(import, tangentUvs, jobs);
+    const ExpectedReads expected(import, listAccessors(import, jobs));
     Displacements left;
     Progress progress("decoding meshes", jobs.size());
     const auto run = [&](Job& job) {
@@ -330,7 +334,6 @@ void checkSomethingIsLeft(const std::vector<Job>& jobs) {
 std::vector<Mesh> readMeshes(const Import& import, const std::vector<MeshUse>& wanted,
                              const TangentUvs& tangentUvs, Report& report) {
     std::vector<Job> jobs = listJobs(import, wanted);
-    unpackViews(import, listAccessors(import, jobs));
     runJobs(import, tangentUvs, jobs);
     checkSomethingIsLeft(jobs);
     std::vector<Mesh> meshes(wanted.size());

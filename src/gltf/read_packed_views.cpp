@@ -1,6 +1,5 @@
 #include "gltf/read_packed_views.h"
 
-#include <algorithm>
 #include <string>
 
 #include "base/parallel_for.h"
@@ -128,41 +127,63 @@ bool isPacked(const Import& import, std::size_t view) {
     return view < import.packed.size() && import.packed[view] != nullptr;
 }
 
-std::span<const std::byte> packedBytes(const Import& import, std::size_t view) {
+namespace {
+
+// With the view locked.
+void unpackOnce(const Import& import, std::size_t view) {
     PackedView& packed = *import.packed.at(view);
-    std::call_once(packed.once, [&] {
-        try {
-            packed.bytes = unpack(import, view);
-        } catch (const Error&) {
-            packed.fault = std::current_exception();
-        }
-    });
+    if (packed.bytes || packed.fault) {
+        return;
+    }
+    try {
+        packed.bytes = std::make_shared<const std::vector<std::byte>>(unpack(import, view));
+    } catch (const Error&) {
+        packed.fault = std::current_exception();
+    }
+}
+
+}  // namespace
+
+ViewBytes packedBytes(const Import& import, std::size_t view) {
+    PackedView& packed = *import.packed.at(view);
+    const std::scoped_lock lock(packed.mutex);
+    unpackOnce(import, view);
     if (packed.fault) {
         std::rethrow_exception(packed.fault);
     }
-    return packed.bytes;
+    ViewBytes bytes{*packed.bytes, packed.bytes};
+    if (packed.expectedReads > 0 && --packed.expectedReads == 0) {
+        packed.bytes.reset();
+    }
+    return bytes;
 }
 
-void unpackViews(const Import& import, const std::vector<std::size_t>& accessors) {
+ExpectedReads::ExpectedReads(const Import& import, const std::vector<std::size_t>& accessors)
+    : import_(import) {
     if (import.packed.empty()) {
         return;
     }
     std::vector<std::size_t> views;
     for (const std::size_t accessor : accessors) {
         const int view = import.model.accessors.at(accessor).bufferView;
-        if (view >= 0 && isPacked(import, std::size_t(view))) {
+        if (view >= 0 && isPacked(import, std::size_t(view)) &&
+            ++import.packed[std::size_t(view)]->expectedReads == 1) {
             views.push_back(std::size_t(view));
         }
     }
-    std::sort(views.begin(), views.end());
-    views.erase(std::unique(views.begin(), views.end()), views.end());
     parallelFor(views.size(), [&](std::size_t i) {
-        try {
-            packedBytes(import, views[i]);
-        } catch (const Error&) {
-            // Kept with the view, and thrown again at who needs it.
-        }
+        const std::scoped_lock lock(import.packed[views[i]]->mutex);
+        unpackOnce(import, views[i]);
     });
+}
+
+ExpectedReads::~ExpectedReads() {
+    for (const std::unique_ptr<PackedView>& packed : import_.packed) {
+        if (packed && packed->expectedReads > 0) {
+            packed->expectedReads = 0;
+            packed->bytes.reset();
+        }
+    }
 }
 
 }  // namespace ribalta::gltf
