@@ -108,6 +108,24 @@ bool mayHide(const Scene& scene, const DrawItem& item) {
            !materialOf(scene, item).isSeeThrough();
 }
 
+// The area of the picture, in pixels, that nothing within the bounds covers more of.
+double mostShown(const Bounds& bounds, const glm::dmat4& clip, int width, int height) {
+    const glm::dvec2 size(width, height);
+    glm::dvec2 low = size;
+    glm::dvec2 high(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 place = clip * glm::dvec4(bounds.corner(corner), 1.0);
+        if (!(place.w > 0.0)) {
+            return size.x * size.y;
+        }
+        const glm::dvec2 pixel = (glm::dvec2(place) / place.w + 1.0) * 0.5 * size;
+        low = glm::min(low, pixel);
+        high = glm::max(high, pixel);
+    }
+    const glm::dvec2 shown = glm::min(high, size) - glm::max(low, glm::dvec2(0.0));
+    return std::max(shown.x, 0.0) * std::max(shown.y, 0.0);
+}
+
 // The face as the camera sees it; without an outline where it shows its unseen side.
 Occluder seen(Face face, double frontSide, bool doubleSided, const Camera& camera, int width,
               int height) {
@@ -151,8 +169,12 @@ std::vector<Occluder> listOccluders(const Scene& scene, const std::vector<DrawIt
                                     const std::vector<bool>& visible, const Camera& camera,
                                     int width, int height) {
     std::vector<std::pair<double, Occluder>> found;
+    const double least = kLeastShare * width * height;
+    const glm::dmat4 clip = clipFromWorld(camera, width, height);
     for (std::size_t i = 0; i < draws.size(); ++i) {
-        if (!visible[i] || !mayHide(scene, draws[i])) {
+        // What is rounded may not lose a face of just that size.
+        if (!visible[i] || !mayHide(scene, draws[i]) ||
+            mostShown(draws[i].worldBounds, clip, width, height) < 0.999 * least) {
             continue;
         }
         const glm::dmat4& place = scene.nodes[std::size_t(draws[i].node)].worldFromLocal;
@@ -162,7 +184,7 @@ std::vector<Occluder> listOccluders(const Scene& scene, const std::vector<DrawIt
             Occluder occluder =
                 seen(std::move(face), frontSide, doubleSided, camera, width, height);
             const double shown = area(cutToPicture(occluder.outline, width, height));
-            if (shown >= kLeastShare * width * height) {
+            if (shown >= least) {
                 found.emplace_back(shown, std::move(occluder));
             }
         }
