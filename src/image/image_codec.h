@@ -21,8 +21,6 @@ struct ImageCodec {
                           const ImageLimits& limits, Image& result);
     std::string (*decodeFloat)(std::span<const std::byte> encoded, ImageFormat format,
                                const ImageLimits& limits, FloatImage& result);
-    std::string (*encodePng)(int width, int height, std::span<const std::uint8_t> rgb,
-                             std::vector<unsigned char>& result);
     std::string (*encodeExr)(const FloatImage& image, std::vector<unsigned char>& result);
 };
 

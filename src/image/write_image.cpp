@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/temporary_file.h"
+#include "image/encode_png.h"
 #include "image/image_codec.h"
 
 namespace ribalta {
@@ -28,7 +29,7 @@ void writePng(const std::filesystem::path& path, int width, int height,
               std::span<const std::uint8_t> rgb) {
     CHECK(width > 0 && height > 0 && rgb.size() == std::size_t(width) * std::size_t(height) * 3);
     std::vector<unsigned char> bytes;
-    const std::string wrong = imageCodec().encodePng(width, height, rgb, bytes);
+    const std::string wrong = encodePng(width, height, rgb, bytes);
     writeWhole(path, wrong, bytes);
 }
 

@@ -1,4 +1,4 @@
-// Pictures to files, through OpenImageIO, which is loaded on first use.
+// Pictures to files: PNGs through libpng, EXRs through OpenImageIO, which is loaded on first use.
 #pragma once
 
 #include <cstdint>

@@ -14,9 +14,6 @@ namespace ribalta {
 /// and the format itself have there.
 inline constexpr const char* kFactPrefix = "ribalta/";
 
-/// 8 bits a channel, marked as sRGB.
-std::vector<unsigned char> encodePng(int width, int height, std::span<const std::uint8_t> rgb);
-
 /// 32-bit float, ZIP, the channels under their own names.
 std::vector<unsigned char> encodeExr(const FloatImage& image);
 

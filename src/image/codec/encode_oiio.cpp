@@ -33,12 +33,6 @@ std::vector<unsigned char> encode(const char* format, ImageSpec spec, const Type
 
 }  // namespace
 
-std::vector<unsigned char> encodePng(int width, int height, std::span<const std::uint8_t> rgb) {
-    ImageSpec spec(width, height, 3, TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    return encode("png", spec, TypeDesc::UINT8, rgb.data());
-}
-
 std::vector<unsigned char> encodeExr(const FloatImage& image) {
     ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()),
                    TypeDesc::FLOAT);

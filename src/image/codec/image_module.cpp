@@ -51,11 +51,6 @@ std::string decodeFloat(std::span<const std::byte> encoded, ImageFormat format,
     });
 }
 
-std::string png(int width, int height, std::span<const std::uint8_t> rgb,
-                std::vector<unsigned char>& result) {
-    return answer([&] { result = encodePng(width, height, rgb); });
-}
-
 std::string exr(const FloatImage& image, std::vector<unsigned char>& result) {
     return answer([&] { result = encodeExr(image); });
 }
@@ -69,8 +64,7 @@ extern "C" __attribute__((visibility("default"))) const ribalta::ImageCodec* rib
         // its pool, one for the process and as wide as the machine: compressing a frame takes a
         // second.
         OIIO::attribute("threads", 1);
-        return ribalta::ImageCodec{&ribalta::decode, &ribalta::decodeFloat, &ribalta::png,
-                                   &ribalta::exr};
+        return ribalta::ImageCodec{&ribalta::decode, &ribalta::decodeFloat, &ribalta::exr};
     }();
     return &codec;
 }
