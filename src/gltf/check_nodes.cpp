@@ -22,19 +22,20 @@ std::vector<int> settleParents(json& nodes, const Place& place, Report& report) 
         if (children == nodes[i].end()) {
             continue;
         }
-        json kept = json::array();
-        for (std::size_t c = 0; c < children->size(); ++c) {
-            const auto child = (*children)[c].get<std::size_t>();
+        auto& list = children->get_ref<json::array_t&>();
+        std::size_t kept = 0;
+        for (std::size_t c = 0; c < list.size(); ++c) {
+            const auto child = list[c].get<std::size_t>();
             if (parents[child] < 0) {
                 parents[child] = int(i);
-                kept.push_back(child);
+                list[kept++] = child;
                 continue;
             }
             report.repaired(place.at(i).at("children").at(c),
                             "node " + std::to_string(child) + " already hangs on node " +
                                 std::to_string(parents[child]) + " and stays there only");
         }
-        *children = std::move(kept);
+        list.resize(kept);
     }
     return parents;
 }
@@ -81,9 +82,10 @@ void settleRoots(json& scenes, const std::vector<std::size_t>& tops, const Place
         if (roots == scenes[s].end()) {
             continue;
         }
-        json kept = json::array();
-        for (std::size_t r = 0; r < roots->size(); ++r) {
-            const auto node = (*roots)[r].get<std::size_t>();
+        auto& list = roots->get_ref<json::array_t&>();
+        std::size_t kept = 0;
+        for (std::size_t r = 0; r < list.size(); ++r) {
+            const auto node = list[r].get<std::size_t>();
             const std::size_t top = tops[node];
             const bool isNew = std::exchange(listedBy[top], s + 1) != s + 1;
             if (top != node) {
@@ -96,10 +98,10 @@ void settleRoots(json& scenes, const std::vector<std::size_t>& tops, const Place
                                 "lists node " + std::to_string(node) + " again; it is drawn once");
             }
             if (isNew) {
-                kept.push_back(top);
+                list[kept++] = top;
             }
         }
-        *roots = std::move(kept);
+        list.resize(kept);
     }
 }
 

@@ -145,14 +145,17 @@ std::vector<int> loadMaterials(const Import& import, TextureTable& textures, Sce
 // it is said where it is decoded.
 std::vector<std::span<const std::byte>> dracoViews(const Import& import,
                                                    const std::vector<Node>& nodes) {
-    std::set<std::size_t> meshes;
+    std::vector<char> isUsed(import.model.meshes.size(), 0);
     for (const Node& node : nodes) {
         if (node.mesh >= 0) {
-            meshes.insert(std::size_t(node.mesh));
+            isUsed[std::size_t(node.mesh)] = 1;
         }
     }
     std::set<std::size_t> views;
-    for (const std::size_t mesh : meshes) {
+    for (std::size_t mesh = 0; mesh < isUsed.size(); ++mesh) {
+        if (isUsed[mesh] == 0) {
+            continue;
+        }
         for (const nlohmann::json& primitive :
              member(element(import.json, "meshes", mesh), "primitives")) {
             const nlohmann::json& view =
@@ -184,7 +187,7 @@ void takeModel(const Import& import) {
     const auto add = [&](const char* array, std::size_t each) {
         bytes += member(import.json, array).size() * each;
     };
-    add("nodes", sizeof(tinygltf::Node) + sizeof(Node));
+    add("nodes", sizeof(FileNode) + sizeof(Node));
     add("accessors", sizeof(tinygltf::Accessor));
     add("bufferViews", sizeof(tinygltf::BufferView));
     add("materials", sizeof(tinygltf::Material) + sizeof(Material));
@@ -249,6 +252,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     listExtensions(import.json, loaded);
     takeModel(import);
     loaded.variantNames = chooseVariant(import.json, options.variant, import.file, report);
+    import.nodes = listNodes(import.json);
     import.model = parseModel(import.json);
     reportUnread(import, report);
     reportShapes(import, report);

@@ -130,8 +130,8 @@ void refuseLightMap(const Lamp& lamp, const std::string& kind, Report& report) {
 
 void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTable& images,
              TextureTable& textures, Scene& scene, Report& report) {
-    const json& node = element(import.json, "nodes", gltfNode);
-    const json& use = extension(node, kLightsPunctual);
+    const FileNode& node = import.nodes[gltfNode];
+    const json& use = node.extension(kLightsPunctual);
     if (use.is_null()) {
         return;
     }
@@ -151,8 +151,8 @@ void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTab
         return;
     }
     const Lamp lamp{lights[number],
-                    import.file.at("extensions").at(kLightsPunctual).at("lights").at(number), node,
-                    nodePlace};
+                    import.file.at("extensions").at(kLightsPunctual).at("lights").at(number),
+                    *node.object, nodePlace};
     const double intensity = numberOr(lamp.light, "intensity", 1.0);
     const auto defaultName = [](const char* kind, std::size_t count) {
         return std::string(kind) + "_" + std::to_string(count);
