@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -13,11 +14,11 @@ namespace ribalta {
 /// What a text may ask for; more is refused before it is parsed.
 struct JsonLimits {
     std::uint64_t depth = 200;             ///< objects and arrays within each other
-    std::uint64_t memory = 1'000'000'000;  ///< bytes, as jsonMemory() has it
+    std::uint64_t memory = 1'000'000'000;  ///< bytes while it is parsed, some 20 times the text
+    /// Called before memory is taken: the bytes that stay taken, and those while it is parsed. May
+    /// throw.
+    std::function<void(std::uint64_t kept, std::uint64_t peak)> takeMemory{};
 };
-
-/// Bytes that a text takes once it is parsed, at most: a value takes some ten times its text.
-std::uint64_t jsonMemory(std::string_view text);
 
 /// What a text should have been, for its errors.
 struct JsonKind {

@@ -7,7 +7,6 @@
 #include <new>
 #include <set>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "base/parse_json.h"
@@ -178,10 +177,6 @@ std::vector<std::span<const std::byte>> dracoViews(const Import& import,
     return bytes;
 }
 
-void takeDocument(const Import& import, std::string_view text) {
-    import.budget->takeMemory(jsonMemory(text), import.file);
-}
-
 void takeModel(const Import& import) {
     std::uint64_t bytes = 0;
     const auto add = [&](const char* array, std::size_t each) {
@@ -243,9 +238,13 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     import.budget->takeMemory(container.bytes.size(), import.file);
     watch.lap("read");
 
-    takeDocument(import, container.json);
-    import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"},
-                            {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX});
+    const auto takeMemory = [&](std::uint64_t kept, std::uint64_t peak) {
+        import.budget->expectMemory(peak, import.file);
+        import.budget->takeMemory(kept, import.file);
+    };
+    import.json =
+        parseJson(container.json, import.file, {"a glTF", "export the file again"},
+                  {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX, takeMemory});
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
     checkNodes(import.json, import.file, report);
