@@ -127,21 +127,55 @@ nlohmann::json treeOf(const simdjson::dom::element& element) {
     return nullptr;
 }
 
+// The tree of a list, without the elements that are read.
+nlohmann::json treeOfOthers(const simdjson::dom::element& list, const std::vector<char>& isRead) {
+    simdjson::dom::array array;
+    if (list.get(array) != simdjson::SUCCESS) {
+        return treeOf(list);
+    }
+    nlohmann::json::array_t elements;
+    elements.reserve(array.size());
+    for (const simdjson::dom::element& each : array) {
+        const std::size_t i = elements.size();
+        if (i < isRead.size() && isRead[i] != 0) {
+            elements.emplace_back(nlohmann::json::value_t::discarded);
+        } else {
+            elements.push_back(treeOf(each));
+        }
+    }
+    return elements;
+}
+
+nlohmann::json treeOf(const simdjson::dom::element& root, const JsonShortcut& shortcut) {
+    simdjson::dom::object object;
+    if (!shortcut.read || root.get(object) != simdjson::SUCCESS) {
+        return treeOf(root);
+    }
+    const std::vector<char> isRead = shortcut.read(root);
+    nlohmann::json::object_t members;
+    for (const auto& [key, value] : object) {
+        members.insert_or_assign(
+            members.end(), std::string(key),
+            key == shortcut.array ? treeOfOthers(value, isRead) : treeOf(value));
+    }
+    return members;
+}
+
 // What nlohmann::json::parse() makes of a text, in half of its time; none where the text is wrong,
 // or has what simdjson alone refuses: integers of more than 64 bits, a byte order mark.
-std::optional<nlohmann::json> parseFast(std::string_view text) {
+std::optional<nlohmann::json> parseFast(std::string_view text, const JsonShortcut& shortcut) {
     simdjson::dom::parser parser;
     simdjson::dom::element root;
     if (parser.parse(text.data(), text.size()).get(root) != simdjson::SUCCESS) {
         return std::nullopt;
     }
-    return treeOf(root);
+    return treeOf(root, shortcut);
 }
 
 }  // namespace
 
 nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind,
-                         const JsonLimits& limits) {
+                         const JsonLimits& limits, const JsonShortcut& shortcut) {
     const Extent extent = measure(text, limits.depth);
     if (limits.takeMemory) {
         limits.takeMemory(extent.kept, extent.peak);
@@ -159,7 +193,7 @@ nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKin
     const std::string cure = "; " + std::string(kind.cure);
     nlohmann::json json;
     try {
-        std::optional<nlohmann::json> fast = parseFast(text);
+        std::optional<nlohmann::json> fast = parseFast(text, shortcut);
         json = fast ? *std::move(fast) : nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         refuse(lineOf(text, error.byte, file), "is not valid JSON: " + parserReason(error) + cure);

@@ -4,10 +4,15 @@
 #include <cstdint>
 #include <functional>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+
+namespace simdjson::dom {
+class element;
+}
 
 namespace ribalta {
 
@@ -26,9 +31,18 @@ struct JsonKind {
     std::string_view cure;  ///< e.g. "export the file again"
 };
 
+/// Elements of an array at a document's top that need no tree, as they are read from what the
+/// parser lists. Not called for every text: some are parsed otherwise.
+struct JsonShortcut {
+    std::string_view array;
+    /// Returns by element whether it is read; it is discarded (value_t) in the tree. Shorter: no
+    /// more of them are.
+    std::function<std::vector<char>(const simdjson::dom::element& document)> read{};
+};
+
 /// Throws Error(kBadInput) with line and column where the text is no JSON object, or over the
 /// limits.
 nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind,
-                         const JsonLimits& limits = {});
+                         const JsonLimits& limits = {}, const JsonShortcut& shortcut = {});
 
 }  // namespace ribalta

@@ -9,12 +9,17 @@ namespace {
 
 using nlohmann::json;
 
-std::span<const json> elementsOf(const json& array) {
-    return array.get_ref<const json::array_t&>();
+template <typename T>
+std::span<T> listOf(const json& array, std::pmr::memory_resource& memory) {
+    const std::span<T> list = roomFor<T>(array.size(), memory);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i] = array[i].get<T>();
+    }
+    return list;
 }
 
 // Members that are there are of the right type.
-FileNode fileNode(const json& object) {
+FileNode readNode(const json& object, std::pmr::memory_resource& memory) {
     FileNode node;
     node.object = &object;
     for (const auto& [name, value] : object.get_ref<const json::object_t&>()) {
@@ -22,21 +27,15 @@ FileNode fileNode(const json& object) {
         if (key == "name") {
             node.name = value.get_ref<const std::string&>();
         } else if (key == "children") {
-            node.children = elementsOf(value);
+            node.children = listOf<int>(value, memory);
         } else if (key == "matrix") {
-            node.matrix = elementsOf(value);
+            node.matrix = listOf<double>(value, memory);
         } else if (key == "translation") {
-            node.translation = elementsOf(value);
+            node.translation = listOf<double>(value, memory);
         } else if (key == "rotation") {
-            node.rotation = elementsOf(value);
+            node.rotation = listOf<double>(value, memory);
         } else if (key == "scale") {
-            node.scale = elementsOf(value);
-        } else if (key == "extensions") {
-            node.extensions = &value;
-        } else if (key == "skin") {
-            node.skin = &value;
-        } else if (key == "weights") {
-            node.weights = &value;
+            node.scale = listOf<double>(value, memory);
         } else if (key == "mesh") {
             node.mesh = value.get<int>();
         } else if (key == "camera") {
@@ -48,26 +47,31 @@ FileNode fileNode(const json& object) {
 
 }  // namespace
 
-const json& FileNode::extension(std::string_view key) const {
+const json& FileNode::other(std::string_view key) const {
     static const json kNull;
-    return member(extensions == nullptr ? kNull : *extensions, key);
+    return object == nullptr ? kNull : member(*object, key);
 }
 
-std::vector<FileNode> listNodes(const json& document) {
+const json& FileNode::extension(std::string_view key) const {
+    return member(other("extensions"), key);
+}
+
+void readOtherNodes(const json& document, std::pmr::memory_resource& memory,
+                    std::vector<FileNode>& nodes) {
     const json& objects = member(document, "nodes");
-    std::vector<FileNode> nodes;
-    nodes.reserve(objects.size());
-    for (const json& object : objects) {
-        nodes.push_back(fileNode(object));
+    nodes.resize(objects.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!objects[i].is_discarded()) {
+            nodes[i] = readNode(objects[i], memory);
+        }
     }
-    return nodes;
 }
 
 std::vector<int> parentsOf(const std::vector<FileNode>& nodes) {
     std::vector<int> parents(nodes.size(), -1);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        for (const json& child : nodes[i].children) {
-            parents[child.get<std::size_t>()] = int(i);
+        for (const int child : nodes[i].children) {
+            parents[std::size_t(child)] = int(i);
         }
     }
     return parents;

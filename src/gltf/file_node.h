@@ -2,7 +2,7 @@
 // matter.
 #pragma once
 
-#include <cstddef>
+#include <memory_resource>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,29 +11,37 @@
 
 namespace ribalta::gltf {
 
-/// Points into the document. What the node lacks is empty, nullptr or -1.
+/// What the node lacks is empty or -1.
 struct FileNode {
+    /// In the document's tree, for what else it has; nullptr where it is plain and has nothing
+    /// else.
     const nlohmann::json* object = nullptr;
     std::string_view name;
-    std::span<const nlohmann::json> children;  ///< indices of nodes
-    std::span<const nlohmann::json> matrix;    ///< 16 numbers, columns first
-    std::span<const nlohmann::json> translation;
-    std::span<const nlohmann::json> rotation;  ///< x, y, z, w
-    std::span<const nlohmann::json> scale;
-    const nlohmann::json* extensions = nullptr;
-    const nlohmann::json* skin = nullptr;
-    const nlohmann::json* weights = nullptr;
+    std::span<int> children;         ///< indices of nodes
+    std::span<const double> matrix;  ///< 16, columns first
+    std::span<const double> translation;
+    std::span<const double> rotation;  ///< x, y, z, w
+    std::span<const double> scale;
     int mesh = -1;
     int camera = -1;
 
-    /// The extension's object, or null.
+    /// Another member, or the object of an extension; null where it has none.
+    const nlohmann::json& other(std::string_view key) const;
     const nlohmann::json& extension(std::string_view key) const;
 };
 
-/// The nodes of a document that is checked and mended, and that must outlive them unchanged.
-std::vector<FileNode> listNodes(const nlohmann::json& document);
+/// Reads the nodes of a document that is checked and mended, and that must outlive them unchanged,
+/// but those that readPlainNodes has read. Lists are put into `memory`.
+void readOtherNodes(const nlohmann::json& document, std::pmr::memory_resource& memory,
+                    std::vector<FileNode>& nodes);
 
 /// The parent of each, -1 where it has none.
 std::vector<int> parentsOf(const std::vector<FileNode>& nodes);
+
+/// Room for a list.
+template <typename T>
+std::span<T> roomFor(std::size_t count, std::pmr::memory_resource& memory) {
+    return {std::pmr::polymorphic_allocator<T>(&memory).allocate(count), count};
+}
 
 }  // namespace ribalta::gltf

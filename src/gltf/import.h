@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <memory_resource>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,9 +29,9 @@ struct Buffer {
 };
 
 /// One glTF on its way into a Scene. `json` is checked and mended: types and indices in it are
-/// right. `model` is the same document, typed, with the same indices; it has neither nodes,
-/// buffers, images, cameras, animations, skins nor extensions and extras, which are read from
-/// `json`.
+/// right; of its nodes it has only those that are not plain. `model` is the same document, typed,
+/// with the same indices; it has neither nodes, buffers, images, cameras, animations, skins nor
+/// extensions and extras, which are read from `json`.
 struct Import {
     Import();
     ~Import();
@@ -42,7 +43,8 @@ struct Import {
     bool allowOutside = false;     ///< whether they may leave it
     std::unique_ptr<Budget> budget = std::make_unique<Budget>(LoadLimits{});  ///< for all steps
     nlohmann::json json;
-    std::vector<FileNode> nodes;  ///< of `json`
+    std::pmr::monotonic_buffer_resource nodeMemory;
+    std::vector<FileNode> nodes;  ///< all of the document's, a forest
     tinygltf::Model model;
     std::vector<Buffer> buffers;
     PackedViews packed;

@@ -199,6 +199,9 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
     const std::size_t count = rule.is == Is::kIndices ? countOf(root, rule.into) : 0;
     for (std::size_t i = 0; i < value.size(); ++i) {
         const Where here(where, i);
+        if (value[i].is_discarded()) {
+            continue;  // read already, where no rule had anything to say
+        }
         if (rule.is == Is::kObjects) {
             checkObject(value[i], rule, here, root, report);
         } else if (rule.is == Is::kIndices) {

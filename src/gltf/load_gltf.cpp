@@ -21,6 +21,7 @@
 #include "gltf/import.h"
 #include "gltf/mesh_cache.h"
 #include "gltf/parse_model.h"
+#include "gltf/plain_nodes.h"
 #include "gltf/read_animations.h"
 #include "gltf/read_buffers.h"
 #include "gltf/read_camera.h"
@@ -242,16 +243,22 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
         import.budget->expectMemory(peak, import.file);
         import.budget->takeMemory(kept, import.file);
     };
-    import.json =
-        parseJson(container.json, import.file, {"a glTF", "export the file again"},
-                  {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX, takeMemory});
+    const auto expectNodes = [&](std::size_t count) {
+        import.budget->expectMemory(count * sizeof(FileNode), import.file);
+    };
+    const auto readPlain = [&](const simdjson::dom::element& document) {
+        return readPlainNodes(document, expectNodes, import.nodeMemory, import.nodes);
+    };
+    import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"},
+                            {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX, takeMemory},
+                            {"nodes", readPlain});
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
-    checkNodes(import.json, import.file, report);
+    readOtherNodes(import.json, import.nodeMemory, import.nodes);
+    checkNodes(import.nodes, import.json, import.file, report);
     listExtensions(import.json, loaded);
     takeModel(import);
     loaded.variantNames = chooseVariant(import.json, options.variant, import.file, report);
-    import.nodes = listNodes(import.json);
     import.model = parseModel(import.json);
     reportUnread(import, report);
     reportShapes(import, report);

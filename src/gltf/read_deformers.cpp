@@ -96,9 +96,8 @@ void DeformerReader::readAll() {
         const Where root(import_.file);
         const Where nodes(root, "nodes");
         const Where here(nodes, list_.gltfNodes[i]);
-        for (const auto& [key, value] :
-             {std::pair("skin", source.skin), std::pair("weights", source.weights)}) {
-            if (value != nullptr) {
+        for (const char* key : {"skin", "weights"}) {
+            if (!source.other(key).is_null()) {
                 ignored_.add("has no meaning for a node without a mesh", Where(here, key));
             }
         }
@@ -122,7 +121,7 @@ void DeformerReader::readNode(std::size_t node, const FileNode& source) {
     const MeshShape& shape = shapeOf(mesh);
     const int skin = skinOf(node, source, shape);
     if (skin < 0 && shape.targets == 0) {
-        if (source.weights != nullptr) {
+        if (!source.other("weights").is_null()) {
             report_.ignored(import_.file.at("nodes").at(list_.gltfNodes[node]).at("weights"),
                             "has no meaning: the node's mesh has no morph targets");
         }
@@ -162,7 +161,7 @@ void DeformerReader::readNode(std::size_t node, const FileNode& source) {
 
 // Into Scene::skins; -1 where the node has none that can be used.
 int DeformerReader::skinOf(std::size_t node, const FileNode& source, const MeshShape& shape) {
-    if (source.skin == nullptr) {
+    if (source.other("skin").is_null()) {
         return -1;
     }
     if (!shape.hasJoints) {
@@ -174,7 +173,7 @@ int DeformerReader::skinOf(std::size_t node, const FileNode& source, const MeshS
             Where(here, "skin"));
         return -1;
     }
-    const auto index = source.skin->get<std::size_t>();
+    const auto index = source.other("skin").get<std::size_t>();
     int& skin = skins_[index];
     if (skin == kUnread) {
         skin = readSkin(index);
@@ -256,9 +255,9 @@ std::vector<glm::dmat4> DeformerReader::bindMatricesOf(const json& source, std::
 // The node's, or else the mesh's, or else 0.
 std::vector<float> DeformerReader::weightsOf(const FileNode& node, const Place& place,
                                              std::size_t mesh, std::size_t targets) {
-    const bool own = node.weights != nullptr;
+    const bool own = !node.other("weights").is_null();
     const json& given =
-        own ? *node.weights : member(element(import_.json, "meshes", mesh), "weights");
+        own ? node.other("weights") : member(element(import_.json, "meshes", mesh), "weights");
     std::vector<float> weights;
     for (const json& weight : given) {
         weights.push_back(weight.get<float>());

@@ -24,19 +24,18 @@ bool isUsable(const glm::dmat4& matrix) {
     return true;
 }
 
-using Numbers = std::span<const nlohmann::json>;
+using Numbers = std::span<const double>;
 
 glm::dmat4 matrixOf(Numbers numbers) {
     glm::dmat4 matrix;
     for (int i = 0; i < 16; ++i) {
-        matrix[i / 4][i % 4] = numbers[std::size_t(i)].get<double>();
+        matrix[i / 4][i % 4] = numbers[std::size_t(i)];
     }
     return matrix;
 }
 
 glm::dquat rotationOf(Numbers numbers, const Where& where, Report& report) {
-    const auto number = [&](std::size_t i) { return numbers[i].get<double>(); };
-    const glm::dquat rotation(number(3), number(0), number(1), number(2));
+    const glm::dquat rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
     const double length = glm::length(rotation);
     if (!(length > 1e-6) || !std::isfinite(length)) {
         report.repaired(where.place().at("rotation"), "is no rotation; the node is not turned");
@@ -56,10 +55,10 @@ Pose poseOf(const FileNode& source, const Where& where, Report& report) {
     }
     for (int axis = 0; axis < 3; ++axis) {
         if (!source.scale.empty()) {
-            pose.scale[axis] = source.scale[std::size_t(axis)].get<double>();
+            pose.scale[axis] = source.scale[std::size_t(axis)];
         }
         if (!source.translation.empty()) {
-            pose.translation[axis] = source.translation[std::size_t(axis)].get<double>();
+            pose.translation[axis] = source.translation[std::size_t(axis)];
         }
     }
     return pose;
@@ -136,7 +135,7 @@ NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, 
         node.visible = member(source.extension(kVisibility), "visible") != false;
         list.gltfNodes.push_back(index);
         for (std::size_t i = source.children.size(); i-- > 0;) {
-            open.emplace_back(source.children[i].get<std::size_t>(), self);
+            open.emplace_back(std::size_t(source.children[i]), self);
         }
     }
     placeBelowParents(list, import, report);

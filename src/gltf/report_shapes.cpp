@@ -45,7 +45,7 @@ class Forest {
                 path.pop_back();
                 continue;
             }
-            const auto child = nodes[node].children[path.back().second++].get<std::size_t>();
+            const auto child = std::size_t(nodes[node].children[path.back().second++]);
             root_[child] = root;
             enter_[child] = ++time_;
             path.emplace_back(child, 0);
