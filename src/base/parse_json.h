@@ -31,12 +31,12 @@ struct JsonKind {
     std::string_view cure;  ///< e.g. "export the file again"
 };
 
-/// Elements of an array at a document's top that need no tree, as they are read from what the
-/// parser lists. Not called for every text: some are parsed otherwise.
+/// A way past the tree for elements of an array at a document's top: they are read from what the
+/// parser lists. A text that simdjson refuses is parsed otherwise, and all of it is in the tree.
 struct JsonShortcut {
     std::string_view array;
-    /// Returns by element whether it is read; it is discarded (value_t) in the tree. Shorter: no
-    /// more of them are.
+    /// Returns by element whether it is read, and becomes value_t::discarded in the tree; those
+    /// past the end are not.
     std::function<std::vector<char>(const simdjson::dom::element& document)> read{};
 };
 

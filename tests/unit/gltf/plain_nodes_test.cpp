@@ -42,7 +42,7 @@ class PlainNodesTest : public testing::Test {
   protected:
     // Fails where the two ways of reading differ. Returns what came of it.
     std::string expectSame(const std::string& text) {
-        const std::string outcome = outcomeOf(folder_.write("nodes.gltf", text));
+        std::string outcome = outcomeOf(folder_.write("nodes.gltf", text));
         const std::string other = outcomeOf(folder_.write("nodes.gltf", "\xef\xbb\xbf" + text));
         EXPECT_EQ(outcome, other) << text;
         return outcome;
