@@ -127,20 +127,38 @@ nlohmann::json treeOf(const simdjson::dom::element& element) {
     return nullptr;
 }
 
-// The tree of a list, without the elements that are read.
-nlohmann::json treeOfOthers(const simdjson::dom::element& list, const std::vector<char>& isRead) {
+// The tree of an object without some members.
+nlohmann::json treeWithout(std::span<const std::string_view> left,
+                           const simdjson::dom::object& object) {
+    nlohmann::json::object_t members;
+    for (const auto& [key, value] : object) {
+        if (std::find(left.begin(), left.end(), key) == left.end()) {
+            members.insert_or_assign(members.end(), std::string(key), treeOf(value));
+        }
+    }
+    return members;
+}
+
+// The tree of a shortcut's array; the shares are those of its elements, or there are none.
+nlohmann::json treeOf(const simdjson::dom::element& list, const JsonShortcut& shortcut,
+                      const std::vector<JsonShare>& shares) {
     simdjson::dom::array array;
-    if (list.get(array) != simdjson::SUCCESS) {
+    if (shares.empty() || list.get(array) != simdjson::SUCCESS) {
         return treeOf(list);
     }
     nlohmann::json::array_t elements;
-    elements.reserve(array.size());
+    elements.reserve(shares.size());
     for (const simdjson::dom::element& each : array) {
-        const std::size_t i = elements.size();
-        if (i < isRead.size() && isRead[i] != 0) {
-            elements.emplace_back(nlohmann::json::value_t::discarded);
-        } else {
-            elements.push_back(treeOf(each));
+        switch (shares[elements.size()]) {
+            case JsonShare::kAll:
+                elements.push_back(treeOf(each));
+                break;
+            case JsonShare::kOthers:
+                elements.push_back(treeWithout(shortcut.members, each));
+                break;
+            case JsonShare::kNone:
+                elements.emplace_back(nlohmann::json::value_t::discarded);
+                break;
         }
     }
     return elements;
@@ -151,12 +169,12 @@ nlohmann::json treeOf(const simdjson::dom::element& root, const JsonShortcut& sh
     if (!shortcut.read || root.get(object) != simdjson::SUCCESS) {
         return treeOf(root);
     }
-    const std::vector<char> isRead = shortcut.read(root);
+    const std::vector<JsonShare> shares = shortcut.read(root);
     nlohmann::json::object_t members;
     for (const auto& [key, value] : object) {
         members.insert_or_assign(
             members.end(), std::string(key),
-            key == shortcut.array ? treeOfOthers(value, isRead) : treeOf(value));
+            key == shortcut.array ? treeOf(value, shortcut, shares) : treeOf(value));
     }
     return members;
 }

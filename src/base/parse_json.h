@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -31,13 +32,20 @@ struct JsonKind {
     std::string_view cure;  ///< e.g. "export the file again"
 };
 
+/// What the tree has of an element.
+enum class JsonShare : char {
+    kAll,
+    kOthers,  ///< an object without some members
+    kNone,    ///< value_t::discarded
+};
+
 /// A way past the tree for elements of an array at a document's top: they are read from what the
 /// parser lists. A text that simdjson refuses is parsed otherwise, and all of it is in the tree.
 struct JsonShortcut {
     std::string_view array;
-    /// Returns by element whether it is read, and becomes value_t::discarded in the tree; those
-    /// past the end are not.
-    std::function<std::vector<char>(const simdjson::dom::element& document)> read{};
+    std::span<const std::string_view> members{};  ///< that kOthers leaves out
+    /// Returns by element what is not read and left to the tree; nothing at all where all is.
+    std::function<std::vector<JsonShare>(const simdjson::dom::element& document)> read{};
 };
 
 /// Throws Error(kBadInput) with line and column where the text is no JSON object, or over the

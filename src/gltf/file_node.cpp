@@ -19,8 +19,7 @@ std::span<T> listOf(const json& array, std::pmr::memory_resource& memory) {
 }
 
 // Members that are there are of the right type.
-FileNode readNode(const json& object, std::pmr::memory_resource& memory) {
-    FileNode node;
+void readMembers(const json& object, std::pmr::memory_resource& memory, FileNode& node) {
     node.object = &object;
     for (const auto& [name, value] : object.get_ref<const json::object_t&>()) {
         const std::string_view key = name;
@@ -36,13 +35,14 @@ FileNode readNode(const json& object, std::pmr::memory_resource& memory) {
             node.rotation = listOf<double>(value, memory);
         } else if (key == "scale") {
             node.scale = listOf<double>(value, memory);
+        } else if (key == "extensions") {
+            node.extensions = &value;
         } else if (key == "mesh") {
             node.mesh = value.get<int>();
         } else if (key == "camera") {
             node.camera = value.get<int>();
         }
     }
-    return node;
 }
 
 }  // namespace
@@ -53,7 +53,8 @@ const json& FileNode::other(std::string_view key) const {
 }
 
 const json& FileNode::extension(std::string_view key) const {
-    return member(other("extensions"), key);
+    static const json kNull;
+    return extensions == nullptr ? kNull : member(*extensions, key);
 }
 
 void readOtherNodes(const json& document, std::pmr::memory_resource& memory,
@@ -62,7 +63,7 @@ void readOtherNodes(const json& document, std::pmr::memory_resource& memory,
     nodes.resize(objects.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (!objects[i].is_discarded()) {
-            nodes[i] = readNode(objects[i], memory);
+            readMembers(objects[i], memory, nodes[i]);
         }
     }
 }

@@ -11,11 +11,10 @@
 
 namespace ribalta::gltf {
 
-/// What the node lacks is empty or -1.
+/// What the node lacks is empty, nullptr or -1.
 struct FileNode {
-    /// In the document's tree, for what else it has; nullptr where it is plain and has nothing
-    /// else.
-    const nlohmann::json* object = nullptr;
+    const nlohmann::json* object = nullptr;  ///< in the tree: what it has beside, if anything
+    const nlohmann::json* extensions = nullptr;
     std::string_view name;
     std::span<int> children;         ///< indices of nodes
     std::span<const double> matrix;  ///< 16, columns first
@@ -30,8 +29,8 @@ struct FileNode {
     const nlohmann::json& extension(std::string_view key) const;
 };
 
-/// Reads the nodes of a document that is checked and mended, and that must outlive them unchanged,
-/// but those that readPlainNodes has read. Lists are put into `memory`.
+/// Reads what readPlainNodes has left of the nodes of a document, which is checked and mended and
+/// must outlive them unchanged. Lists are put into `memory`.
 void readOtherNodes(const nlohmann::json& document, std::pmr::memory_resource& memory,
                     std::vector<FileNode>& nodes);
 

@@ -29,7 +29,7 @@ struct Buffer {
 };
 
 /// One glTF on its way into a Scene. `json` is checked and mended: types and indices in it are
-/// right; of its nodes it has only those that are not plain. `model` is the same document, typed,
+/// right; of its nodes it has only what `nodes` lack. `model` is the same document, typed,
 /// with the same indices; it has neither nodes, buffers, images, cameras, animations, skins nor
 /// extensions and extras, which are read from `json`.
 struct Import {

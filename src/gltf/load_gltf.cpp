@@ -251,7 +251,7 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     };
     import.json = parseJson(container.json, import.file, {"a glTF", "export the file again"},
                             {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX, takeMemory},
-                            {"nodes", readPlain});
+                            {"nodes", plainMembers(), readPlain});
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
     readOtherNodes(import.json, import.nodeMemory, import.nodes);

@@ -44,23 +44,30 @@ class PlainReader {
           cameras_(countOf(document, "cameras")),
           memory_(memory) {}
 
-    /// None where the node is not plain.
-    std::optional<FileNode> read(const dom::element& value) const {
-        FileNode node;
+    /// Of a node that is left to the tree nothing is read.
+    JsonShare read(const dom::element& value, FileNode& node) const {
         dom::object object;
         if (!isRead(value, object)) {
-            return std::nullopt;
+            return JsonShare::kAll;
         }
+        JsonShare left = JsonShare::kNone;
         for (const auto& [key, each] : object) {
-            if (!readMember(key, each, node)) {
-                return std::nullopt;
+            const std::optional<bool> isGood = readMember(key, each, node);
+            if (isGood == false) {
+                node = FileNode();
+                return JsonShare::kAll;
+            }
+            if (!isGood && key != "extras") {  // which are read of lamps alone
+                left = JsonShare::kOthers;
             }
         }
-        return node;
+        return left;
     }
 
   private:
-    bool readMember(std::string_view key, const dom::element& value, FileNode& node) const {
+    // Whether the member keeps its rule; none where it is no plain one.
+    std::optional<bool> readMember(std::string_view key, const dom::element& value,
+                                   FileNode& node) const {
         if (key == "name") {
             return readName(value, node.name);
         }
@@ -85,7 +92,7 @@ class PlainReader {
         if (key == "camera") {
             return readIndex(value, cameras_, node.camera);
         }
-        return key == "extras";  // which are read of lamps alone
+        return std::nullopt;
     }
 
     bool readName(const dom::element& value, std::string_view& name) const {
@@ -148,23 +155,29 @@ class PlainReader {
 
 }  // namespace
 
-std::vector<char> readPlainNodes(const dom::element& document,
-                                 const std::function<void(std::size_t)>& expect,
-                                 std::pmr::memory_resource& memory, std::vector<FileNode>& nodes) {
-    std::vector<char> isPlain;
+std::span<const std::string_view> plainMembers() {
+    static constexpr std::string_view kMembers[] = {
+        "name", "children", "matrix", "translation", "rotation", "scale", "mesh", "camera",
+    };
+    return kMembers;
+}
+
+std::vector<JsonShare> readPlainNodes(const dom::element& document,
+                                      const std::function<void(std::size_t)>& expect,
+                                      std::pmr::memory_resource& memory,
+                                      std::vector<FileNode>& nodes) {
+    std::vector<JsonShare> left;
     const std::optional<dom::array> array = arrayOf(document, "nodes");
     if (!array) {
-        return isPlain;
+        return left;
     }
     expect(array->size());
     nodes.reserve(array->size());
     const PlainReader reader(document, memory);
     for (const dom::element& each : *array) {
-        const std::optional<FileNode> node = reader.read(each);
-        nodes.push_back(node.value_or(FileNode()));
-        isPlain.push_back(node ? 1 : 0);
+        left.push_back(reader.read(each, nodes.emplace_back()));
     }
-    return isPlain;
+    return left;
 }
 
 }  // namespace ribalta::gltf
