@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <simdjson.h>
+
 namespace ribalta {
 namespace {
 
@@ -41,26 +43,26 @@ void forEachOutsideStrings(std::string_view text, const Visit& visit) {
     }
 }
 
-// How deep a text is nested, and what it takes once it is parsed.
+// How deep a text is nested, and what it takes.
 struct Extent {
-    std::uint64_t memory = 0;
+    std::uint64_t kept = 0;              ///< bytes, once it is parsed
+    std::uint64_t peak = 0;              ///< bytes, meanwhile
     std::optional<std::size_t> tooDeep;  ///< where it is first nested deeper than the limit
 };
 
 Extent measure(std::string_view text, std::uint64_t maxDepth) {
-    constexpr std::uint64_t kValue = 32;      // in an array that has room to grow
-    constexpr std::uint64_t kMember = 96;     // a node of a tree, with a key
-    constexpr std::uint64_t kContainer = 64;  // what an array or object points to
     Extent extent;
-    extent.memory = text.size() + kContainer;
+    std::uint64_t commas = 0;
+    std::uint64_t colons = 0;
+    std::uint64_t containers = 0;
     std::uint64_t depth = 0;
     forEachOutsideStrings(text, [&](char c, std::size_t i) {
         if (c == ',') {
-            extent.memory += kValue;
+            ++commas;
         } else if (c == ':') {
-            extent.memory += kMember;
+            ++colons;
         } else if (c == '{' || c == '[') {
-            extent.memory += kContainer;
+            ++containers;
             if (++depth > maxDepth && !extent.tooDeep) {
                 extent.tooDeep = i + 1;
             }
@@ -68,6 +70,13 @@ Extent measure(std::string_view text, std::uint64_t maxDepth) {
             --depth;
         }
     });
+    constexpr std::uint64_t kValue = 32;      // in an array that has room to grow
+    constexpr std::uint64_t kMember = 96;     // a node of a tree, with a key
+    constexpr std::uint64_t kContainer = 64;  // what an array or object points to
+    constexpr std::uint64_t kListed = 24;     // where one stands, and its value, for a while
+    extent.kept = text.size() + kValue * commas + kMember * colons + kContainer * (containers + 1);
+    // The parser has a copy of the text and one of its strings.
+    extent.peak = extent.kept + 2 * text.size() + kListed * (commas + colons + containers + 1);
     return extent;
 }
 
@@ -80,29 +89,130 @@ std::string parserReason(const nlohmann::json::exception& error) {
     return text.substr(position == std::string::npos ? start : position + 2);
 }
 
-}  // namespace
-
-std::uint64_t jsonMemory(std::string_view text) {
-    return measure(text, 0).memory;
+// Nested at most as deep as the limit, so recursion is.
+nlohmann::json treeOf(const simdjson::dom::element& element) {
+    namespace dom = simdjson::dom;
+    switch (element.type()) {
+        case dom::element_type::OBJECT: {
+            nlohmann::json::object_t members;
+            for (const auto& [key, value] : dom::object(element)) {
+                members.insert_or_assign(members.end(), std::string(key), treeOf(value));
+            }
+            return members;
+        }
+        case dom::element_type::ARRAY: {
+            const dom::array array(element);
+            nlohmann::json::array_t elements;
+            elements.reserve(array.size());
+            for (const dom::element& each : array) {
+                elements.push_back(treeOf(each));
+            }
+            return elements;
+        }
+        case dom::element_type::STRING:
+            return std::string_view(element);
+        case dom::element_type::INT64: {
+            const std::int64_t number(element);
+            return number < 0 ? nlohmann::json(number) : nlohmann::json(std::uint64_t(number));
+        }
+        case dom::element_type::UINT64:
+            return std::uint64_t(element);
+        case dom::element_type::DOUBLE:
+            return double(element);
+        case dom::element_type::BOOL:
+            return bool(element);
+        case dom::element_type::NULL_VALUE:
+            break;
+    }
+    return nullptr;
 }
 
+// The tree of an object without some members.
+nlohmann::json treeWithout(std::span<const std::string_view> left,
+                           const simdjson::dom::object& object) {
+    nlohmann::json::object_t members;
+    for (const auto& [key, value] : object) {
+        if (std::find(left.begin(), left.end(), key) == left.end()) {
+            members.insert_or_assign(members.end(), std::string(key), treeOf(value));
+        }
+    }
+    return members;
+}
+
+// The tree of a shortcut's array; the shares are those of its elements, or there are none.
+nlohmann::json treeOf(const simdjson::dom::element& list, const JsonShortcut& shortcut,
+                      const std::vector<JsonShare>& shares) {
+    simdjson::dom::array array;
+    if (shares.empty() || list.get(array) != simdjson::SUCCESS) {
+        return treeOf(list);
+    }
+    nlohmann::json::array_t elements;
+    elements.reserve(shares.size());
+    for (const simdjson::dom::element& each : array) {
+        switch (shares[elements.size()]) {
+            case JsonShare::kAll:
+                elements.push_back(treeOf(each));
+                break;
+            case JsonShare::kOthers:
+                elements.push_back(treeWithout(shortcut.members, each));
+                break;
+            case JsonShare::kNone:
+                elements.emplace_back(nlohmann::json::value_t::discarded);
+                break;
+        }
+    }
+    return elements;
+}
+
+nlohmann::json treeOf(const simdjson::dom::element& root, const JsonShortcut& shortcut) {
+    simdjson::dom::object object;
+    if (!shortcut.read || root.get(object) != simdjson::SUCCESS) {
+        return treeOf(root);
+    }
+    const std::vector<JsonShare> shares = shortcut.read(root);
+    nlohmann::json::object_t members;
+    for (const auto& [key, value] : object) {
+        members.insert_or_assign(
+            members.end(), std::string(key),
+            key == shortcut.array ? treeOf(value, shortcut, shares) : treeOf(value));
+    }
+    return members;
+}
+
+// What nlohmann::json::parse() makes of a text, in half of its time; none where the text is wrong,
+// or has what simdjson alone refuses: integers of more than 64 bits, a byte order mark.
+std::optional<nlohmann::json> parseFast(std::string_view text, const JsonShortcut& shortcut) {
+    simdjson::dom::parser parser;
+    simdjson::dom::element root;
+    if (parser.parse(text.data(), text.size()).get(root) != simdjson::SUCCESS) {
+        return std::nullopt;
+    }
+    return treeOf(root, shortcut);
+}
+
+}  // namespace
+
 nlohmann::json parseJson(std::string_view text, const Place& file, const JsonKind& kind,
-                         const JsonLimits& limits) {
+                         const JsonLimits& limits, const JsonShortcut& shortcut) {
     const Extent extent = measure(text, limits.depth);
+    if (limits.takeMemory) {
+        limits.takeMemory(extent.kept, extent.peak);
+    }
     if (extent.tooDeep) {
         refuse(lineOf(text, *extent.tooDeep, file), "JSON is nested deeper than " +
                                                         std::to_string(limits.depth) +
                                                         " levels; remove such extras");
     }
-    if (extent.memory > limits.memory) {
-        refuse(file, "holds JSON that takes " + std::to_string(extent.memory) +
+    if (extent.peak > limits.memory) {
+        refuse(file, "holds JSON that takes " + std::to_string(extent.peak) +
                          " bytes of memory, over the limit of " + std::to_string(limits.memory) +
                          "; leave something out of it");
     }
     const std::string cure = "; " + std::string(kind.cure);
     nlohmann::json json;
     try {
-        json = nlohmann::json::parse(text);
+        std::optional<nlohmann::json> fast = parseFast(text, shortcut);
+        json = fast ? *std::move(fast) : nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error& error) {
         refuse(lineOf(text, error.byte, file), "is not valid JSON: " + parserReason(error) + cure);
     } catch (const nlohmann::json::exception& error) {

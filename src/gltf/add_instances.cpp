@@ -163,8 +163,7 @@ void addInstances(const Import& import, NodeList& list, Report& report) {
     std::size_t taken = 0;
     // Skinned meshes, which stand behind the scene's own nodes, are placed by their joints alone.
     for (std::size_t i = 0; i < list.inScene; ++i) {
-        const json& object =
-            extension(element(import.json, "nodes", list.gltfNodes[i]), kInstancing);
+        const json& object = import.nodes[list.gltfNodes[i]].extension(kInstancing);
         if (object.is_null() || list.nodes[i].mesh < 0) {
             continue;
         }

@@ -44,8 +44,7 @@ void addLamps(const Import& import, const SceneUses& uses, const std::vector<Lam
     for (std::size_t i = 0; i < lamps.size(); ++i) {
         const auto node = std::size_t(lamps[i].node);
         if (uses.isPunctual[node] != 0) {
-            const json& use =
-                extension(element(import.json, "nodes", uses.gltfNodes[node]), kLightsPunctual);
+            const json& use = import.nodes[uses.gltfNodes[node]].extension(kLightsPunctual);
             found[use["light"].get<std::size_t>()].push_back(int(i));
         }
     }
@@ -60,7 +59,7 @@ class Owners {
         addLamps(import, uses, scene.directionalLights, lamps_);
         for (std::size_t i = 0; i < scene.cameras.size(); ++i) {
             const std::size_t node = uses.gltfNodes[std::size_t(scene.cameras[i].node)];
-            cameras_[std::size_t(import.model.nodes[node].camera)].push_back(int(i));
+            cameras_[std::size_t(import.nodes[node].camera)].push_back(int(i));
         }
     }
 

@@ -15,26 +15,23 @@ namespace {
 using nlohmann::json;
 
 // Leaves each node one parent, the first. Returns the parents, -1 for roots.
-std::vector<int> settleParents(json& nodes, const Place& place, Report& report) {
+std::vector<int> settleParents(std::vector<FileNode>& nodes, const Place& place, Report& report) {
     std::vector<int> parents(nodes.size(), -1);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const auto children = nodes[i].find("children");
-        if (children == nodes[i].end()) {
-            continue;
-        }
-        json kept = json::array();
-        for (std::size_t c = 0; c < children->size(); ++c) {
-            const auto child = (*children)[c].get<std::size_t>();
+        std::span<int>& list = nodes[i].children;
+        std::size_t kept = 0;
+        for (std::size_t c = 0; c < list.size(); ++c) {
+            const auto child = std::size_t(list[c]);
             if (parents[child] < 0) {
                 parents[child] = int(i);
-                kept.push_back(child);
+                list[kept++] = int(child);
                 continue;
             }
             report.repaired(place.at(i).at("children").at(c),
                             "node " + std::to_string(child) + " already hangs on node " +
                                 std::to_string(parents[child]) + " and stays there only");
         }
-        *children = std::move(kept);
+        list = list.first(kept);
     }
     return parents;
 }
@@ -81,9 +78,10 @@ void settleRoots(json& scenes, const std::vector<std::size_t>& tops, const Place
         if (roots == scenes[s].end()) {
             continue;
         }
-        json kept = json::array();
-        for (std::size_t r = 0; r < roots->size(); ++r) {
-            const auto node = (*roots)[r].get<std::size_t>();
+        auto& list = roots->get_ref<json::array_t&>();
+        std::size_t kept = 0;
+        for (std::size_t r = 0; r < list.size(); ++r) {
+            const auto node = list[r].get<std::size_t>();
             const std::size_t top = tops[node];
             const bool isNew = std::exchange(listedBy[top], s + 1) != s + 1;
             if (top != node) {
@@ -96,20 +94,17 @@ void settleRoots(json& scenes, const std::vector<std::size_t>& tops, const Place
                                 "lists node " + std::to_string(node) + " again; it is drawn once");
             }
             if (isNew) {
-                kept.push_back(top);
+                list[kept++] = top;
             }
         }
-        *roots = std::move(kept);
+        list.resize(kept);
     }
 }
 
 }  // namespace
 
-void checkNodes(json& root, const Place& file, Report& report) {
-    if (!root.contains("nodes")) {
-        return;
-    }
-    const std::vector<int> parents = settleParents(root["nodes"], file.at("nodes"), report);
+void checkNodes(std::vector<FileNode>& nodes, json& root, const Place& file, Report& report) {
+    const std::vector<int> parents = settleParents(nodes, file.at("nodes"), report);
     const std::vector<std::size_t> tops = findTops(parents, file.at("nodes"));
     if (root.contains("scenes")) {
         settleRoots(root["scenes"], tops, file.at("scenes"), report);

@@ -5,16 +5,11 @@
 namespace ribalta::gltf {
 namespace {
 
-std::vector<std::size_t> nodesWithoutParent(const tinygltf::Model& model) {
-    std::vector<char> hasParent(model.nodes.size(), 0);
-    for (const tinygltf::Node& node : model.nodes) {
-        for (const int child : node.children) {
-            hasParent[std::size_t(child)] = 1;
-        }
-    }
+std::vector<std::size_t> nodesWithoutParent(const std::vector<FileNode>& nodes) {
+    const std::vector<int> parents = parentsOf(nodes);
     std::vector<std::size_t> roots;
-    for (std::size_t i = 0; i < hasParent.size(); ++i) {
-        if (hasParent[i] == 0) {
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        if (parents[i] < 0) {
             roots.push_back(i);
         }
     }
@@ -36,7 +31,7 @@ ChosenScene chooseScene(const Import& import, const std::optional<std::string>& 
         index = findNamed(chosen.allNames, *nameOrIndex, "scene",
                           "it has none at all, ask for none to draw all of its nodes", import.file);
     } else if (model.scenes.empty()) {
-        chosen.roots = nodesWithoutParent(model);
+        chosen.roots = nodesWithoutParent(import.nodes);
         return chosen;
     } else if (!fileChoice.is_null()) {
         index = fileChoice.get<std::size_t>();

@@ -7,7 +7,7 @@ namespace ribalta::gltf {
 Import::Import() = default;
 Import::~Import() = default;
 
-const nlohmann::json& member(const nlohmann::json& object, const char* key) {
+const nlohmann::json& member(const nlohmann::json& object, std::string_view key) {
     static const nlohmann::json kNull;
     if (!object.is_object()) {
         return kNull;
@@ -16,16 +16,17 @@ const nlohmann::json& member(const nlohmann::json& object, const char* key) {
     return found == object.end() ? kNull : *found;
 }
 
-double numberOr(const nlohmann::json& object, const char* key, double otherwise) {
+double numberOr(const nlohmann::json& object, std::string_view key, double otherwise) {
     const nlohmann::json& value = member(object, key);
     return value.is_number() ? value.get<double>() : otherwise;
 }
 
-const nlohmann::json& element(const nlohmann::json& json, const char* array, std::size_t index) {
+const nlohmann::json& element(const nlohmann::json& json, std::string_view array,
+                              std::size_t index) {
     return member(json, array).at(index);
 }
 
-const nlohmann::json& extension(const nlohmann::json& object, const char* name) {
+const nlohmann::json& extension(const nlohmann::json& object, std::string_view name) {
     return member(member(object, "extensions"), name);
 }
 

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <memory_resource>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,6 +16,7 @@
 #include "base/error.h"
 #include "base/mapped_file.h"
 #include "gltf/budget.h"
+#include "gltf/file_node.h"
 #include "gltf/read_packed_views.h"
 
 namespace ribalta::gltf {
@@ -29,8 +32,9 @@ struct Buffer {
 };
 
 /// One glTF on its way into a Scene. `json` is checked and mended: types and indices in it are
-/// right. `model` is the same document, typed, with the same indices; it has neither buffers,
-/// images, cameras, animations, skins nor extensions and extras, which are read from `json`.
+/// right; of its nodes it has only what `nodes` lack. `model` is the same document, typed,
+/// with the same indices; it has neither nodes, buffers, images, cameras, animations, skins nor
+/// extensions and extras, which are read from `json`.
 struct Import {
     Import();
     ~Import();
@@ -42,6 +46,8 @@ struct Import {
     bool allowOutside = false;     ///< whether they may leave it
     std::unique_ptr<Budget> budget = std::make_unique<Budget>(LoadLimits{});  ///< for all steps
     nlohmann::json json;
+    std::pmr::monotonic_buffer_resource nodeMemory;
+    std::vector<FileNode> nodes;  ///< all of the document's, a forest
     tinygltf::Model model;
     std::vector<Buffer> buffers;
     PackedViews packed;
@@ -49,16 +55,17 @@ struct Import {
 };
 
 /// The element `index` of a top-level array, or of nothing, as an object to look things up in.
-const nlohmann::json& element(const nlohmann::json& json, const char* array, std::size_t index);
+const nlohmann::json& element(const nlohmann::json& json, std::string_view array,
+                              std::size_t index);
 
 /// The member `key` of the object, or null where it has none.
-const nlohmann::json& member(const nlohmann::json& object, const char* key);
+const nlohmann::json& member(const nlohmann::json& object, std::string_view key);
 
 /// The number `key` of the object, or else another.
-double numberOr(const nlohmann::json& object, const char* key, double otherwise);
+double numberOr(const nlohmann::json& object, std::string_view key, double otherwise);
 
 /// The object `extensions/name` of an object, or null.
-const nlohmann::json& extension(const nlohmann::json& object, const char* name);
+const nlohmann::json& extension(const nlohmann::json& object, std::string_view name);
 inline constexpr const char* kLightsPunctual = "KHR_lights_punctual";
 
 }  // namespace ribalta::gltf

@@ -2,9 +2,11 @@
 #include "gltf/json_rules.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "base/check.h"
 #include "gltf/import.h"
 #include "gltf/tally.h"
 
@@ -14,6 +16,8 @@ namespace {
 using nlohmann::json;
 using Is = JsonRule::Is;
 using OnFault = JsonRule::OnFault;
+
+constexpr std::size_t kMostRules = 16;
 
 std::string shown(const json& value) {
     if (value.is_primitive()) {
@@ -72,14 +76,18 @@ void checkInteger(json& value, const JsonRule& rule, const Where& where) {
     }
 }
 
-void checkIndex(json& value, const char* into, const Where& where, const json& root) {
+// How many elements the top-level array has that indices are into.
+std::size_t countOf(const json& root, const char* into) {
+    const json& target = member(root, into);
+    return target.is_array() ? target.size() : 0;
+}
+
+void checkIndex(json& value, const char* into, std::size_t count, const Where& where) {
     if (!makeInteger(value)) {
         throw JsonFault{where.place(),
                         "is " + shown(value) + ", expected an index into /" + std::string(into)};
     }
     const auto number = value.get<std::int64_t>();
-    const json& target = member(root, into);
-    const std::size_t count = target.is_array() ? target.size() : 0;
     if (number < 0 || std::uint64_t(number) >= count) {
         throw JsonFault{where.place(), "is " + std::to_string(number) + ", but the file has " +
                                            counted(count, into)};
@@ -149,8 +157,9 @@ void checkIndexMap(json& value, const char* into, const Where& where, const json
     if (!value.is_object()) {
         throw JsonFault{where.place(), "is " + shown(value) + ", expected an object"};
     }
+    const std::size_t count = countOf(root, into);
     for (auto& [key, index] : value.items()) {
-        checkIndex(index, into, Where(where, key), root);
+        checkIndex(index, into, count, Where(where, key));
     }
 }
 
@@ -169,7 +178,7 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
         case Is::kString:
             return checkString(value, rule, where);
         case Is::kIndex:
-            return checkIndex(value, rule.into, where, root);
+            return checkIndex(value, rule.into, countOf(root, rule.into), where);
         case Is::kNumbers:
             return checkNumbers(value, rule, where, report);
         case Is::kObject:
@@ -187,12 +196,16 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
                  : rule.is == Is::kIndices                            ? "indices"
                                                                       : "strings",
                  where);
+    const std::size_t count = rule.is == Is::kIndices ? countOf(root, rule.into) : 0;
     for (std::size_t i = 0; i < value.size(); ++i) {
         const Where here(where, i);
+        if (value[i].is_discarded()) {
+            continue;  // read already, where no rule had anything to say
+        }
         if (rule.is == Is::kObjects) {
             checkObject(value[i], rule, here, root, report);
         } else if (rule.is == Is::kIndices) {
-            checkIndex(value[i], rule.into, here, root);
+            checkIndex(value[i], rule.into, count, here);
         } else if (rule.is == Is::kIndexMaps) {
             checkIndexMap(value[i], rule.into, here, root);
         } else {
@@ -208,11 +221,22 @@ void checkValue(json& value, const JsonRule& rule, const Where& where, const jso
 
 void checkMembers(json& object, std::span<const JsonRule> rules, const Where& where,
                   const json& root, Report& report) {
-    for (const JsonRule& rule : rules) {
-        const auto found = object.find(rule.key);
+    // By rule: what is told follows the rules' order, whatever the members' is.
+    std::array<json*, kMostRules> members{};
+    CHECK(rules.size() <= members.size());
+    for (auto& [key, value] : object.get_ref<json::object_t&>()) {
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+            if (rules[i].key == key) {
+                members[i] = &value;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        const JsonRule& rule = rules[i];
+        json* const found = members[i];
         const Where here(where, rule.key);
         try {
-            if (found == object.end()) {
+            if (found == nullptr) {
                 if (rule.required) {
                     throw JsonFault{where.place(), "lacks \"" + std::string(rule.key) +
                                                        "\", which glTF 2.0 requires"};
@@ -225,8 +249,8 @@ void checkMembers(json& object, std::span<const JsonRule> rules, const Where& wh
                 throw;
             }
             report.repaired(fault.place, fault.message + "; the default is used");
-            if (found != object.end()) {
-                object.erase(found);
+            if (found != nullptr) {
+                object.erase(std::string(rule.key));
             }
         }
     }

@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "base/mapped_file.h"
@@ -23,6 +22,7 @@
 #include "gltf/import.h"
 #include "gltf/mesh_cache.h"
 #include "gltf/parse_model.h"
+#include "gltf/plain_nodes.h"
 #include "gltf/read_animations.h"
 #include "gltf/read_buffers.h"
 #include "gltf/read_camera.h"
@@ -146,14 +146,17 @@ std::vector<int> loadMaterials(const Import& import, TextureTable& textures, Sce
 // it is said where it is decoded.
 std::vector<std::span<const std::byte>> dracoViews(const Import& import,
                                                    const std::vector<Node>& nodes) {
-    std::set<std::size_t> meshes;
+    std::vector<char> isUsed(import.model.meshes.size(), 0);
     for (const Node& node : nodes) {
         if (node.mesh >= 0) {
-            meshes.insert(std::size_t(node.mesh));
+            isUsed[std::size_t(node.mesh)] = 1;
         }
     }
     std::set<std::size_t> views;
-    for (const std::size_t mesh : meshes) {
+    for (std::size_t mesh = 0; mesh < isUsed.size(); ++mesh) {
+        if (isUsed[mesh] == 0) {
+            continue;
+        }
         for (const nlohmann::json& primitive :
              member(element(import.json, "meshes", mesh), "primitives")) {
             const nlohmann::json& view =
@@ -176,16 +179,12 @@ std::vector<std::span<const std::byte>> dracoViews(const Import& import,
     return bytes;
 }
 
-void takeDocument(const Import& import, std::string_view text) {
-    import.budget->takeMemory(jsonMemory(text), import.file);
-}
-
 void takeModel(const Import& import) {
     std::uint64_t bytes = 0;
     const auto add = [&](const char* array, std::size_t each) {
         bytes += member(import.json, array).size() * each;
     };
-    add("nodes", sizeof(tinygltf::Node) + sizeof(Node));
+    add("nodes", sizeof(FileNode) + sizeof(Node));
     add("accessors", sizeof(tinygltf::Accessor));
     add("bufferViews", sizeof(tinygltf::BufferView));
     add("materials", sizeof(tinygltf::Material) + sizeof(Material));
@@ -273,13 +272,24 @@ void GltfLoad::State::read(const std::filesystem::path& path, const LoadOptions&
     }
     watch.lap("read");
 
-    takeDocument(import, text);
+    const auto takeMemory = [&](std::uint64_t kept, std::uint64_t peak) {
+        import.budget->expectMemory(peak, import.file);
+        import.budget->takeMemory(kept, import.file);
+    };
+    const auto expectNodes = [&](std::size_t count) {
+        import.budget->expectMemory(count * sizeof(FileNode), import.file);
+    };
+    const auto readPlain = [&](const simdjson::dom::element& document) {
+        return readPlainNodes(document, expectNodes, import.nodeMemory, import.nodes);
+    };
     import.json = parseJson(text, import.file, {"a glTF", "export the file again"},
-                            {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX});
+                            {std::min(options.limits.nesting, kMaxNesting), UINT64_MAX, takeMemory},
+                            {"nodes", plainMembers(), readPlain});
     text = {};
     checkVersionAndExtensions(import.json, import.file);
     checkJson(import.json, import.file, report);
-    checkNodes(import.json, import.file, report);
+    readOtherNodes(import.json, import.nodeMemory, import.nodes);
+    checkNodes(import.nodes, import.json, import.file, report);
     listExtensions(import.json, loaded);
     takeModel(import);
     loaded.variantNames = chooseVariant(import.json, options.variant, import.file, report);

@@ -21,17 +21,6 @@ void take(const json& object, const char* key, T& value) {
     }
 }
 
-void takeNode(const json& source, tinygltf::Node& node) {
-    take(source, "name", node.name);
-    take(source, "children", node.children);
-    take(source, "matrix", node.matrix);
-    take(source, "translation", node.translation);
-    take(source, "rotation", node.rotation);
-    take(source, "scale", node.scale);
-    take(source, "mesh", node.mesh);
-    take(source, "camera", node.camera);
-}
-
 void takeScene(const json& source, tinygltf::Scene& scene) {
     take(source, "name", scene.name);
     take(source, "nodes", scene.nodes);
@@ -146,7 +135,6 @@ void takeAll(const json& document, const char* key, std::vector<T>& list, const 
 tinygltf::Model parseModel(const json& document) {
     tinygltf::Model model;
     takeAll(document, "scenes", model.scenes, takeScene);
-    takeAll(document, "nodes", model.nodes, takeNode);
     takeAll(document, "accessors", model.accessors, takeAccessor);
     takeAll(document, "bufferViews", model.bufferViews, takeBufferView);
     takeAll(document, "materials", model.materials, takeMaterial);

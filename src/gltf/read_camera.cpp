@@ -127,14 +127,14 @@ std::vector<Camera> readCameras(const Import& import, const std::vector<std::siz
                                 Report& report) {
     std::set<std::string> taken;  // names of nodes with cameras, then of cameras
     for (const std::size_t node : gltfNodes) {
-        if (import.model.nodes[node].camera >= 0) {
-            taken.insert(import.model.nodes[node].name);
+        if (import.nodes[node].camera >= 0) {
+            taken.emplace(import.nodes[node].name);
         }
     }
     std::map<std::size_t, Camera> known;
     std::vector<Camera> cameras;
     for (std::size_t i = 0; i < gltfNodes.size(); ++i) {
-        const tinygltf::Node& node = import.model.nodes[gltfNodes[i]];
+        const FileNode& node = import.nodes[gltfNodes[i]];
         if (node.camera < 0) {
             continue;
         }
@@ -143,8 +143,9 @@ std::vector<Camera> readCameras(const Import& import, const std::vector<std::siz
             known.emplace(index, readCamera(import, index, report));
         }
         Camera camera = known.at(index);
-        camera.name = chooseName(node.name, nameOf(element(import.json, "cameras", index)), taken,
-                                 cameras.size());
+        camera.name =
+            chooseName(std::string(node.name), nameOf(element(import.json, "cameras", index)),
+                       taken, cameras.size());
         camera.node = int(i);
         taken.insert(camera.name);
         cameras.push_back(std::move(camera));

@@ -24,7 +24,7 @@ struct MeshShape {
     bool hasJoints = false;  ///< some primitive's vertices hang on joints
 };
 
-MeshShape shapeOf(const Import& import, std::size_t mesh) {
+MeshShape readShape(const Import& import, std::size_t mesh) {
     MeshShape shape;
     const json& primitives = element(import.json, "meshes", mesh)["primitives"];
     for (const json& primitive : primitives) {
@@ -56,6 +56,7 @@ class DeformerReader {
           list_(list),
           scene_(scene),
           report_(report),
+          shapes_(import.model.meshes.size()),
           skins_(member(import.json, "skins").size(), kUnread) {}
 
     void readAll();
@@ -64,19 +65,21 @@ class DeformerReader {
     static constexpr int kUnread = -2;
     static constexpr int kUnusable = -1;
 
-    void readNode(std::size_t node, const json& source);
-    int skinOf(std::size_t node, const json& source, const MeshShape& shape);
+    void readNode(std::size_t node, const FileNode& source);
+    const MeshShape& shapeOf(std::size_t mesh);
+    int skinOf(std::size_t node, const FileNode& source, const MeshShape& shape);
     int readSkin(std::size_t skin);
     std::vector<glm::dmat4> bindMatricesOf(const json& source, std::size_t joints,
                                            const Place& place);
-    std::vector<float> weightsOf(const json& node, const Place& place, std::size_t mesh,
+    std::vector<float> weightsOf(const FileNode& node, const Place& place, std::size_t mesh,
                                  std::size_t targets);
 
     const Import& import_;
     NodeList& list_;
     Scene& scene_;
     Report& report_;
-    std::optional<JointFinder> joints_;  ///< made when the first skin is read
+    std::optional<JointFinder> joints_;             ///< made when the first skin is read
+    std::vector<std::optional<MeshShape>> shapes_;  ///< by the glTF's mesh, where one was asked for
     std::vector<int> skins_;  ///< by the glTF's index: into Scene::skins, or one of the above
     std::size_t jointsLeft_ = kMaxPosedJoints;
     std::size_t verticesLeft_ = kMaxDeformedVertices;
@@ -85,7 +88,7 @@ class DeformerReader {
 
 void DeformerReader::readAll() {
     for (std::size_t i = 0; i < list_.inScene; ++i) {
-        const json& source = element(import_.json, "nodes", list_.gltfNodes[i]);
+        const FileNode& source = import_.nodes[list_.gltfNodes[i]];
         if (list_.nodes[i].mesh >= 0) {
             readNode(i, source);
             continue;
@@ -94,7 +97,7 @@ void DeformerReader::readAll() {
         const Where nodes(root, "nodes");
         const Where here(nodes, list_.gltfNodes[i]);
         for (const char* key : {"skin", "weights"}) {
-            if (source.contains(key)) {
+            if (!source.other(key).is_null()) {
                 ignored_.add("has no meaning for a node without a mesh", Where(here, key));
             }
         }
@@ -105,12 +108,20 @@ void DeformerReader::readAll() {
     ignored_.tell(Report::Kind::kIgnored, "", report_);
 }
 
-void DeformerReader::readNode(std::size_t node, const json& source) {
+const MeshShape& DeformerReader::shapeOf(std::size_t mesh) {
+    std::optional<MeshShape>& shape = shapes_[mesh];
+    if (!shape) {
+        shape = readShape(import_, mesh);
+    }
+    return *shape;
+}
+
+void DeformerReader::readNode(std::size_t node, const FileNode& source) {
     const auto mesh = std::size_t(list_.nodes[node].mesh);
-    const MeshShape shape = shapeOf(import_, mesh);
+    const MeshShape& shape = shapeOf(mesh);
     const int skin = skinOf(node, source, shape);
     if (skin < 0 && shape.targets == 0) {
-        if (source.contains("weights")) {
+        if (!source.other("weights").is_null()) {
             report_.ignored(import_.file.at("nodes").at(list_.gltfNodes[node]).at("weights"),
                             "has no meaning: the node's mesh has no morph targets");
         }
@@ -149,8 +160,8 @@ void DeformerReader::readNode(std::size_t node, const json& source) {
 }
 
 // Into Scene::skins; -1 where the node has none that can be used.
-int DeformerReader::skinOf(std::size_t node, const json& source, const MeshShape& shape) {
-    if (!source.contains("skin")) {
+int DeformerReader::skinOf(std::size_t node, const FileNode& source, const MeshShape& shape) {
+    if (source.other("skin").is_null()) {
         return -1;
     }
     if (!shape.hasJoints) {
@@ -162,9 +173,10 @@ int DeformerReader::skinOf(std::size_t node, const json& source, const MeshShape
             Where(here, "skin"));
         return -1;
     }
-    int& skin = skins_[source["skin"].get<std::size_t>()];
+    const auto index = source.other("skin").get<std::size_t>();
+    int& skin = skins_[index];
     if (skin == kUnread) {
-        skin = readSkin(source["skin"].get<std::size_t>());
+        skin = readSkin(index);
     }
     return skin;
 }
@@ -241,11 +253,11 @@ std::vector<glm::dmat4> DeformerReader::bindMatricesOf(const json& source, std::
 }
 
 // The node's, or else the mesh's, or else 0.
-std::vector<float> DeformerReader::weightsOf(const json& node, const Place& place, std::size_t mesh,
-                                             std::size_t targets) {
-    const bool own = node.contains("weights");
+std::vector<float> DeformerReader::weightsOf(const FileNode& node, const Place& place,
+                                             std::size_t mesh, std::size_t targets) {
+    const bool own = !node.other("weights").is_null();
     const json& given =
-        own ? node["weights"] : member(element(import_.json, "meshes", mesh), "weights");
+        own ? node.other("weights") : member(element(import_.json, "meshes", mesh), "weights");
     std::vector<float> weights;
     for (const json& weight : given) {
         weights.push_back(weight.get<float>());

@@ -131,8 +131,8 @@ const std::optional<IesLamps::Profile>& IesLamps::profile(std::size_t index, Ima
 
 bool IesLamps::add(std::size_t gltfNode, int sceneNode, ImageTable& images, Scene& scene,
                    Report& report) {
-    const json& node = element(import_.json, "nodes", gltfNode);
-    const json& use = extension(node, kPhotometric);
+    const FileNode& node = import_.nodes[gltfNode];
+    const json& use = node.extension(kPhotometric);
     if (use.is_null()) {
         return false;
     }
@@ -151,15 +151,13 @@ bool IesLamps::add(std::size_t gltfNode, int sceneNode, ImageTable& images, Scen
     if (!its) {
         return false;
     }
-    if (!extension(node, kLightsPunctual).is_null()) {
+    if (!node.extension(kLightsPunctual).is_null()) {
         report.hint(nodePlace.at("extensions").at(kLightsPunctual),
                     "stands on a node with a light profile, which is drawn in its place");
     }
     SpotLight spot;
-    const json& name = member(node, "name");
-    spot.name = name.is_string() && !name.get_ref<const std::string&>().empty()
-                    ? name.get<std::string>()
-                    : "ies_" + std::to_string(scene.spotLights.size());
+    spot.name = !node.name.empty() ? std::string(node.name)
+                                   : "ies_" + std::to_string(scene.spotLights.size());
     spot.node = sceneNode;
     spot.color = colorOf(use, place, report);
     spot.intensityCandela = its->candela * multiplierOf(use, place, report);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "gltf/tally.h"
 
@@ -17,7 +18,7 @@ using nlohmann::json;
 struct Lamp {
     const json& light;
     Place lightPlace;
-    const json& node;
+    const FileNode& node;
     Place nodePlace;
 };
 
@@ -32,17 +33,16 @@ Property propertyOf(const Lamp& lamp, const char* key) {
     if (!ofLight.is_null()) {
         return {ofLight, lamp.lightPlace.at("extras").at(key)};
     }
-    return {member(member(lamp.node, "extras"), key), lamp.nodePlace.at("extras").at(key)};
+    return {member(lamp.node.other("extras"), key), lamp.nodePlace.at("extras").at(key)};
 }
 
 std::string nameOf(const Lamp& lamp, const std::string& otherwise) {
-    for (const json* object : {&lamp.node, &lamp.light}) {
-        const json& name = member(*object, "name");
-        if (name.is_string() && !name.get_ref<const std::string&>().empty()) {
-            return name.get<std::string>();
-        }
+    if (!lamp.node.name.empty()) {
+        return std::string(lamp.node.name);
     }
-    return otherwise;
+    const json& name = member(lamp.light, "name");
+    return name.is_string() && !name.get_ref<const std::string&>().empty() ? name.get<std::string>()
+                                                                           : otherwise;
 }
 
 glm::vec3 colorOf(const Lamp& lamp) {
@@ -107,11 +107,14 @@ BeamShape beamShapeOf(const Lamp& lamp, Report& report) {
 
 // `light_map` before its other name; both may be on the light or on the node.
 std::optional<Property> lightMapOf(const Lamp& lamp) {
-    for (const json* holder : {&lamp.light, &lamp.node}) {
+    const std::pair<const json&, const Place&> holders[] = {
+        {member(lamp.light, "extras"), lamp.lightPlace},
+        {lamp.node.other("extras"), lamp.nodePlace},
+    };
+    for (const auto& [extras, place] : holders) {
         for (const char* key : {"light_map", "gobo"}) {
-            const json& value = member(member(*holder, "extras"), key);
+            const json& value = member(extras, key);
             if (!value.is_null()) {
-                const Place& place = holder == &lamp.light ? lamp.lightPlace : lamp.nodePlace;
                 return Property{value, place.at("extras").at(key)};
             }
         }
@@ -130,8 +133,8 @@ void refuseLightMap(const Lamp& lamp, const std::string& kind, Report& report) {
 
 void addLamp(const Import& import, std::size_t gltfNode, int sceneNode, ImageTable& images,
              TextureTable& textures, Scene& scene, Report& report) {
-    const json& node = element(import.json, "nodes", gltfNode);
-    const json& use = extension(node, kLightsPunctual);
+    const FileNode& node = import.nodes[gltfNode];
+    const json& use = node.extension(kLightsPunctual);
     if (use.is_null()) {
         return;
     }

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "gltf/bad_input.h"
+#include "gltf/where.h"
 
 namespace ribalta::gltf {
 namespace {
@@ -23,7 +24,9 @@ bool isUsable(const glm::dmat4& matrix) {
     return true;
 }
 
-glm::dmat4 matrixOf(const std::vector<double>& numbers) {
+using Numbers = std::span<const double>;
+
+glm::dmat4 matrixOf(Numbers numbers) {
     glm::dmat4 matrix;
     for (int i = 0; i < 16; ++i) {
         matrix[i / 4][i % 4] = numbers[std::size_t(i)];
@@ -31,24 +34,24 @@ glm::dmat4 matrixOf(const std::vector<double>& numbers) {
     return matrix;
 }
 
-glm::dquat rotationOf(const std::vector<double>& numbers, const Place& place, Report& report) {
+glm::dquat rotationOf(Numbers numbers, const Where& where, Report& report) {
     const glm::dquat rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
     const double length = glm::length(rotation);
     if (!(length > 1e-6) || !std::isfinite(length)) {
-        report.repaired(place.at("rotation"), "is no rotation; the node is not turned");
+        report.repaired(where.place().at("rotation"), "is no rotation; the node is not turned");
         return {1.0, 0.0, 0.0, 0.0};
     }
     if (std::abs(length - 1.0) > 1e-2) {
-        report.repaired(place.at("rotation"), "has the length " + std::to_string(length) +
-                                                  ", expected 1; it is brought to that");
+        report.repaired(where.place().at("rotation"), "has the length " + std::to_string(length) +
+                                                          ", expected 1; it is brought to that");
     }
     return rotation / length;
 }
 
-Pose poseOf(const tinygltf::Node& source, const Place& place, Report& report) {
+Pose poseOf(const FileNode& source, const Where& where, Report& report) {
     Pose pose;
     if (!source.rotation.empty()) {
-        pose.rotation = rotationOf(source.rotation, place, report);
+        pose.rotation = rotationOf(source.rotation, where, report);
     }
     for (int axis = 0; axis < 3; ++axis) {
         if (!source.scale.empty()) {
@@ -61,23 +64,23 @@ Pose poseOf(const tinygltf::Node& source, const Place& place, Report& report) {
     return pose;
 }
 
-glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report& report) {
+glm::dmat4 transformOf(const FileNode& source, const Where& where, Report& report) {
     glm::dmat4 matrix(1.0);
     if (!source.matrix.empty()) {
         matrix = matrixOf(source.matrix);
         const bool isAffine = matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 &&
                               matrix[3][3] == 1.0;
         if (!isAffine) {
-            report.repaired(place.at("matrix"),
+            report.repaired(where.place().at("matrix"),
                             "has a last row other than 0 0 0 1, which is used instead");
             matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
             matrix[3][3] = 1.0;
         }
     } else {
-        matrix = poseOf(source, place, report).parentFromLocal();
+        matrix = poseOf(source, where, report).parentFromLocal();
     }
     if (!isUsable(matrix)) {
-        report.repaired(place,
+        report.repaired(where.place(),
                         "has a transform with numbers out of all bounds; it is placed as "
                         "its parent is");
         return glm::dmat4(1.0);
@@ -85,31 +88,23 @@ glm::dmat4 transformOf(const tinygltf::Node& source, const Place& place, Report&
     return matrix;
 }
 
-std::vector<int> parentsOf(const tinygltf::Model& model) {
-    std::vector<int> parents(model.nodes.size(), -1);
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        for (const int child : model.nodes[i].children) {
-            parents[std::size_t(child)] = int(i);
-        }
-    }
-    return parents;
-}
-
-// Places what could be placed on its own, but not below its parents.
-void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
-    std::vector<glm::dmat4> world(list.nodes.size());
+// Places the nodes, in the file's units, and mends what could be placed on its own, but not below
+// its parents.
+void placeBelowParents(NodeList& list, const Import& import, Report& report) {
     for (std::size_t i = 0; i < list.nodes.size(); ++i) {
         Node& node = list.nodes[i];
-        const glm::dmat4 parent =
-            node.parent < 0 ? glm::dmat4(1.0) : world[std::size_t(node.parent)];
-        const auto here = [&] { return import.file.at("nodes").at(list.gltfNodes[i]); };
-        world[i] = parent * node.parentFromLocal;
-        if (!isUsable(world[i])) {
-            report.repaired(here(),
+        node.worldFromLocal = node.parentFromLocal;
+        if (node.parent < 0) {
+            continue;
+        }
+        const glm::dmat4& parent = list.nodes[std::size_t(node.parent)].worldFromLocal;
+        node.worldFromLocal = parent * node.parentFromLocal;
+        if (!isUsable(node.worldFromLocal)) {
+            report.repaired(import.file.at("nodes").at(list.gltfNodes[i]),
                             "has a transform that together with its parents' is out of "
                             "all bounds; it is placed as its parent is");
             node.parentFromLocal = glm::dmat4(1.0);
-            world[i] = parent;
+            node.worldFromLocal = parent;
         }
     }
 }
@@ -118,7 +113,10 @@ void mendWorldTransforms(NodeList& list, const Import& import, Report& report) {
 
 NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, Report& report) {
     NodeList list;
-    const tinygltf::Model& model = import.model;
+    list.nodes.reserve(import.nodes.size());
+    list.gltfNodes.reserve(import.nodes.size());
+    const Where root(import.file);
+    const Where where(root, "nodes");
     // A stack of nodes to visit with their parents; check_nodes made sure that it is a forest.
     std::vector<std::pair<std::size_t, int>> open;
     for (std::size_t i = roots.size(); i-- > 0;) {
@@ -127,22 +125,20 @@ NodeList readNodes(const Import& import, const std::vector<std::size_t>& roots, 
     while (!open.empty()) {
         const auto [index, parent] = open.back();
         open.pop_back();
-        const tinygltf::Node& source = model.nodes[index];
-        Node node;
+        const FileNode& source = import.nodes[index];
+        const auto self = int(list.nodes.size());
+        Node& node = list.nodes.emplace_back();
         node.name = source.name;
         node.parent = parent;
-        node.parentFromLocal = transformOf(source, import.file.at("nodes").at(index), report);
+        node.parentFromLocal = transformOf(source, Where(where, index), report);
         node.mesh = source.mesh;
-        node.visible = member(extension(element(import.json, "nodes", index), kVisibility),
-                              "visible") != false;
-        const auto self = int(list.nodes.size());
-        list.nodes.push_back(std::move(node));
+        node.visible = member(source.extension(kVisibility), "visible") != false;
         list.gltfNodes.push_back(index);
         for (std::size_t i = source.children.size(); i-- > 0;) {
             open.emplace_back(std::size_t(source.children[i]), self);
         }
     }
-    mendWorldTransforms(list, import, report);
+    placeBelowParents(list, import, report);
     list.inScene = list.nodes.size();
     return list;
 }
@@ -151,7 +147,7 @@ JointFinder::JointFinder(const Import& import, NodeList& list, Report& report)
     : import_(import),
       list_(list),
       report_(report),
-      parents_(parentsOf(import.model)),
+      parents_(parentsOf(import.nodes)),
       placed_(parents_.size(), -1) {
     for (std::size_t i = list.nodes.size(); i-- > 0;) {
         placed_[list.gltfNodes[i]] = int(i);
@@ -159,6 +155,8 @@ JointFinder::JointFinder(const Import& import, NodeList& list, Report& report)
 }
 
 int JointFinder::find(std::size_t joint) {
+    const Where root(import_.file);
+    const Where nodes(root, "nodes");
     std::vector<int> path;
     for (int node = int(joint); node >= 0 && placed_[std::size_t(node)] < 0;
          node = parents_[std::size_t(node)]) {
@@ -169,10 +167,9 @@ int JointFinder::find(std::size_t joint) {
         const int parent = parents_[index];
         placed_[index] = int(list_.nodes.size());
         Node& node = list_.nodes.emplace_back();
-        node.name = import_.model.nodes[index].name;
+        node.name = import_.nodes[index].name;
         node.parent = parent < 0 ? -1 : placed_[std::size_t(parent)];
-        node.parentFromLocal =
-            transformOf(import_.model.nodes[index], import_.file.at("nodes").at(index), report_);
+        node.parentFromLocal = transformOf(import_.nodes[index], Where(nodes, index), report_);
         list_.gltfNodes.push_back(index);
     }
     return placed_[joint];
@@ -180,15 +177,15 @@ int JointFinder::find(std::size_t joint) {
 
 void JointFinder::finish() {
     if (list_.nodes.size() > list_.inScene) {
-        mendWorldTransforms(list_, import_, report_);
+        placeBelowParents(list_, import_, report_);
     }
 }
 
 std::optional<Pose> restPoseOf(const Import& import, const NodeList& list, std::size_t node) {
     const std::size_t index = list.gltfNodes[node];
-    const tinygltf::Node& source = import.model.nodes[index];
+    const FileNode& source = import.nodes[index];
     Report told;  // by readNodes already
-    const Pose pose = poseOf(source, import.file.at("nodes").at(index), told);
+    const Pose pose = poseOf(source, Where(import.file), told);
     const bool isWhole =
         source.matrix.empty() && pose.parentFromLocal() == list.nodes[node].parentFromLocal;
     return isWhole ? std::optional<Pose>(pose) : std::nullopt;
@@ -200,16 +197,13 @@ void leaveOutVanished(NodeList& list, const std::vector<Mover>& movers, const Im
     for (const Mover& mover : movers) {
         moves[std::size_t(mover.node)] = 1;
     }
-    std::vector<glm::dmat4> world(list.nodes.size());
-    for (std::size_t i = 0; i < list.nodes.size(); ++i) {
+    // What joints place stands behind the scene's own nodes, and is not its parent's size.
+    for (std::size_t i = 0; i < list.inScene; ++i) {
         Node& node = list.nodes[i];
-        world[i] = node.parentFromLocal;
         if (node.parent >= 0) {
-            world[i] = world[std::size_t(node.parent)] * node.parentFromLocal;
             moves[i] = char(moves[i] | moves[std::size_t(node.parent)]);
         }
-        // What joints place stands behind the scene's own nodes, and is not its parent's size.
-        if (i < list.inScene && node.mesh >= 0 && moves[i] == 0 && vanishes(world[i])) {
+        if (node.mesh >= 0 && moves[i] == 0 && vanishes(node.worldFromLocal)) {
             report.ignored(import.file.at("nodes").at(list.gltfNodes[i]),
                            "is scaled to nothing; its mesh is not drawn");
             node.mesh = -1;

@@ -17,7 +17,7 @@ namespace ribalta::gltf {
 /// overflow: 1e30 m squared is finite.
 inline constexpr double kMaxTransform = 1e30;
 
-/// The drawn nodes. Their `mesh` is the glTF's index.
+/// The drawn nodes. Their `mesh` is the glTF's index, `worldFromLocal` in the file's units.
 struct NodeList {
     std::vector<Node> nodes;
     std::vector<std::size_t> gltfNodes;  ///< for each, its index in the glTF

@@ -18,19 +18,12 @@ using nlohmann::json;
 // The nodes' forest, for questions that do not walk it: there may be as many skins as nodes.
 class Forest {
   public:
-    explicit Forest(const tinygltf::Model& model)
-        : enter_(model.nodes.size(), 0),
-          leave_(model.nodes.size(), 0),
-          root_(model.nodes.size(), 0) {
-        std::vector<char> hasParent(model.nodes.size(), 0);
-        for (const tinygltf::Node& node : model.nodes) {
-            for (const int child : node.children) {
-                hasParent[std::size_t(child)] = 1;
-            }
-        }
-        for (std::size_t i = 0; i < hasParent.size(); ++i) {
-            if (hasParent[i] == 0) {
-                walk(model, i);
+    explicit Forest(const std::vector<FileNode>& nodes)
+        : enter_(nodes.size(), 0), leave_(nodes.size(), 0), root_(nodes.size(), 0) {
+        const std::vector<int> parents = parentsOf(nodes);
+        for (std::size_t i = 0; i < parents.size(); ++i) {
+            if (parents[i] < 0) {
+                walk(nodes, i);
             }
         }
     }
@@ -41,18 +34,18 @@ class Forest {
     }
 
   private:
-    void walk(const tinygltf::Model& model, std::size_t root) {
+    void walk(const std::vector<FileNode>& nodes, std::size_t root) {
         std::vector<std::pair<std::size_t, std::size_t>> path = {{root, 0}};
         root_[root] = root;
         enter_[root] = ++time_;
         while (!path.empty()) {
             const std::size_t node = path.back().first;
-            if (path.back().second == model.nodes[node].children.size()) {
+            if (path.back().second == nodes[node].children.size()) {
                 leave_[node] = ++time_;
                 path.pop_back();
                 continue;
             }
-            const auto child = std::size_t(model.nodes[node].children[path.back().second++]);
+            const auto child = std::size_t(nodes[node].children[path.back().second++]);
             root_[child] = root;
             enter_[child] = ++time_;
             path.emplace_back(child, 0);
@@ -148,7 +141,7 @@ void reportShapes(const Import& import, Report& report) {
     const json& skins = member(import.json, "skins");
     const Where skinsWhere(root, "skins");
     const std::optional<Forest> forest =
-        skins.empty() ? std::nullopt : std::optional<Forest>(import.model);
+        skins.empty() ? std::nullopt : std::optional<Forest>(import.nodes);
     for (std::size_t s = 0; s < skins.size(); ++s) {
         if (!skins[s].is_null()) {
             const Where here(skinsWhere, s);

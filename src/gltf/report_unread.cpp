@@ -28,7 +28,7 @@ void tallyExtensions(const json& value, const Where& where, ExtensionTallies& ta
         }
         return;
     }
-    for (const auto& [key, child] : value.items()) {
+    for (const auto& [key, child] : value.get_ref<const json::object_t&>()) {
         if (!child.is_structured() || key == "extras") {
             continue;
         }
