@@ -5,7 +5,9 @@ The files are made here: 2 million triangles, 64 PNGs and 64 JPEGs of 1024 x 102
 million triangles in Draco and as many in meshopt. Each loader runs on each as a process of its own, in
 turn, so that whatever else the machine does hits all alike; figures are medians. `cpu` is user and
 system time, `wall` what a person waits, `peak` the most memory it had (all in one process, its
-libraries among it); `2nd start` is ribalta with what its first start kept. Peers: stock tinygltf with stb and Draco, from Debian's packages, and fastgltf
+libraries among it); `2nd start` is ribalta with what its first start kept. The peak is also told as
+what it is over that of a file without anything, against what `ribalta render` uploads of the file
+and the file itself. Peers: stock tinygltf with stb and Draco, from Debian's packages, and fastgltf
 with stb, Draco and meshopt, where --fastgltf names its checkout (simdjson is the system's).
 
 Wants g++, libtinygltf-dev, libstb-dev, libpng-dev, libjpeg-dev, libdraco-dev, libmeshoptimizer-dev,
@@ -16,7 +18,6 @@ import argparse
 import json
 import os
 import pathlib
-import re
 import resource
 import statistics
 import subprocess
@@ -96,6 +97,15 @@ def run_once(words, caches):
             "output": output.decode(errors="replace")}
 
 
+def uploaded_bytes(program, path, caches):
+    """Of geometry, materials and pictures; 0 where it cannot be drawn here."""
+    stats = caches.parent / "stats.json"
+    if run_once([program, "render", str(path), "--size", "16x16", "--stats", str(stats)],
+                caches) is None:
+        return 0
+    return json.loads(stats.read_text())["uploaded_bytes"]
+
+
 def measure_file(loaders, path, runs, caches):
     """The medians of every loader, by its name."""
     times = {name: [] for name in loaders}
@@ -113,20 +123,14 @@ def measure_file(loaders, path, runs, caches):
     for name, each in times.items():
         figures[name] = each and {key: statistics.median(once[key] for once in each)
                                   for key in ("wall", "cpu", "peak")}
-    # What the peers say they made of it: the data that a program would upload.
-    for name in ("tinygltf", "fastgltf"):
-        counted = times.get(name) and re.search(r"(\d+) bytes of geometry, (\d+) of pixels",
-                                                times[name][0]["output"])
-        if counted:
-            figures["data"] = int(counted[1]) + int(counted[2])
+    figures["uploaded"] = uploaded_bytes(loaders["ribalta"][0], path, caches)
     figures["file"] = path.stat().st_size
     return figures
 
 
-def print_table(name, figures, loaders):
+def print_table(name, figures, loaders, empty_peak):
     megabytes = 1e-6 * figures["file"]
-    data = f", {1e-6 * figures['data']:.0f} MB of data" if "data" in figures else ""
-    print(f"\n{name}: {megabytes:.1f} MB{data}")
+    print(f"\n{name}: {megabytes:.1f} MB, {1e-6 * figures['uploaded']:.1f} MB uploaded")
     print(f"  {'median':<12}{'wall ms':>10}{'cpu ms':>10}{'peak MB':>10}   wall, cpu of others")
     ours = figures["ribalta"]
     for loader in loaders:
@@ -138,8 +142,9 @@ def print_table(name, figures, loaders):
                 f"{1e-6 * one['peak']:10.1f}")
         if loader != "ribalta" and ours:
             line += f"   {one['wall'] / ours['wall']:.2f} x, {one['cpu'] / ours['cpu']:.2f} x"
-        elif "data" in figures:
-            line += f"   peak / (data + file): {one['peak'] / (figures['data'] + figures['file']):.2f}"
+        elif figures["uploaded"] > 0:
+            line += (f"   (peak - {1e-6 * empty_peak:.1f}) / (uploaded + file): "
+                     f"{(one['peak'] - empty_peak) / (figures['uploaded'] + figures['file']):.2f}")
         print(line)
 
 
@@ -155,10 +160,13 @@ def main():
         subprocess.run([str(maker), str(folder), str(arguments.scale)], check=True)
         paths = [folder / f"{file}.glb" for file in FILES
                  if not arguments.only or file in arguments.only] + arguments.scene
+        empty = folder / "empty.gltf"
+        empty.write_text('{"asset": {"version": "2.0"}}')
+        result["empty"] = run_once([*loaders["ribalta"], str(empty)], folder / "caches")
         for path in paths:
             figures = measure_file(loaders, path, arguments.runs, folder / "caches")
             result[path.stem] = figures
-            print_table(path.stem, figures, loaders)
+            print_table(path.stem, figures, loaders, result["empty"]["peak"])
             sys.stdout.flush()
     print(f"\nmedians of {arguments.runs} processes each, taken in turn, {os.cpu_count()} cores")
     if arguments.json:

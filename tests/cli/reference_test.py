@@ -4,7 +4,8 @@ import json
 import re
 import unittest
 
-from command import BAD_INPUT, JOB_FAILED, USAGE, CommandTest, add_node, make_floor
+from command import (BAD_INPUT, JOB_FAILED, USAGE, CommandTest, add_node, make_floor,
+                     make_moving_floor)
 
 # No driver is named by this, so that no OpenGL is to be had.
 NO_DRIVERS = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"}
@@ -52,6 +53,16 @@ class Pictures(CommandTest):
         for text in [b"beams.R", b"transmittance.G", b"\0Z\0", b"ribalta/camera", b"ribalta/haze",
                      b"henyey-greenstein", b"48x27", b"ribalta/version"]:
             self.assertIn(text, content)
+
+    def test_at_a_time_it_is_of_the_moved_scene(self):
+        self.write_scene("moving.gltf", make_moving_floor())
+        self.expect_done("reference", "moving.gltf", *SIZE, "-o", "rest.exr")
+        for moment in [["--time", "0.5"], ["--time", "1", "--animation", "rise"]]:
+            self.expect_done("reference", "moving.gltf", *SIZE, "-o", "exact.exr", *moment)
+            self.expect_done("render", "moving.gltf", *SIZE, "-o", "drawn.exr", "--beams",
+                             "clipped", "--planes", "256", *moment)
+            self.assertLess(self.relative_error("drawn.exr", "exact.exr"), 0.01)
+            self.assertGreater(self.relative_error("rest.exr", "exact.exr"), 0.03)
 
     def test_clear_air_has_no_beams(self):
         output = self.expect_done("reference", "stage.gltf", *SIZE, "-o", "a.exr", "--haze=0")

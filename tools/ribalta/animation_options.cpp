@@ -39,13 +39,22 @@ std::string expectRange(const std::string& text) {
 
 }  // namespace
 
-void AnimationOptions::addTo(CLI::App& command) {
+void AnimationOptions::addMomentTo(CLI::App& command) {
     command
         .add_option("--time", time,
                     "draw the scene as its animations have it at this second (default: as it "
                     "rests)")
         ->type_name("SECONDS")
         ->check(expectNotNegative, "");
+    command
+        .add_option("--animation", animation,
+                    "the animation that is played, by name or counted from 0 (default: all of "
+                    "them together)")
+        ->type_name("NAME|INDEX|all");
+}
+
+void AnimationOptions::addTo(CLI::App& command) {
+    addMomentTo(command);
     CLI::Option* const film =
         command
             .add_option("--frames", frames,
@@ -63,11 +72,6 @@ void AnimationOptions::addTo(CLI::App& command) {
         ->check(expectFps, "")
         ->capture_default_str()
         ->needs(film);
-    command
-        .add_option("--animation", animation,
-                    "with --time or --frames: the animation that is played, by name or counted "
-                    "from 0 (default: all of them together)")
-        ->type_name("NAME|INDEX|all");
     command.add_flag("--fresh", fresh, "with --frames: draw pictures anew that are there")
         ->needs(film);
 }

@@ -32,7 +32,9 @@ struct AnimationOptions {
     double fps = 24.0;
     bool fresh = false;
 
-    /// To a command that has --repeat, --redraw, --still and --stats already, which --frames
+    /// --time and --animation alone, for one picture.
+    void addMomentTo(CLI::App& command);
+    /// All, to a command that has --repeat, --redraw, --still and --stats already, which --frames
     /// excludes.
     void addTo(CLI::App& command);
 

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "animation_options.h"
 #include "base/error.h"
 #include "base/log.h"
 #include "base/progress.h"
@@ -40,6 +41,7 @@ struct ReferenceOptions {
     std::optional<std::string> size;
     HazeOptions haze;
     SkyOptions sky;
+    AnimationOptions animation;
     std::optional<double> ambient;
     std::string visibility = "geometry";
     double error = 1e-5;
@@ -128,7 +130,8 @@ void drawReferenceFile(const ReferenceOptions& options) {
     const ReferenceLayers layers = layersFrom(options);
     checkOutput(options.output);
 
-    const LoadedScene loaded = loadScene(options.scene, options.loading.parsed());
+    LoadedScene loaded = loadScene(options.scene, options.loading.parsed());
+    options.animation.pose(loaded.scene);
     refuseReplacing(options.output, loaded.files);
     settings.camera = chooseCamera(loaded.scene, options.camera, double(size.width) / size.height);
 
@@ -179,6 +182,7 @@ void addOptions(CLI::App& command, ReferenceOptions& options) {
     addSizeOption(command, options.size);
     options.haze.addTo(command);
     options.sky.addReferenceTo(command);
+    options.animation.addMomentTo(command);
     addAmbientOption(command, options.ambient);
     command
         .add_option("--visibility", options.visibility,
