@@ -38,7 +38,8 @@ Image halved(const Image& image) {
     half.type = image.type;
     half.width = std::max(1, image.width / 2);
     half.height = std::max(1, image.height / 2);
-    half.pixels = RawBytes(std::size_t(half.width) * std::size_t(half.height) * half.bytesPerPixel());
+    half.pixels =
+        RawBytes(std::size_t(half.width) * std::size_t(half.height) * half.bytesPerPixel());
     if (image.type == Image::Type::kUint8) {
         halveChannels<std::uint8_t>(image, half);
     } else {

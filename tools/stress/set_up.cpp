@@ -19,11 +19,13 @@ Image makeMap(const char* name, Value value) {
     image.name = name;
     image.width = kSide;
     image.height = kSide;
+    image.pixels = RawBytes(std::size_t(kSide) * kSide * 4);
+    std::byte* to = image.pixels.data();
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) {
             for (int c = 0; c < 4; ++c) {
                 const double level = c == 3 ? 1.0 : value(x, y, c);
-                image.pixels.push_back(std::byte(int(std::lround(255.0 * level))));
+                *to++ = std::byte(int(std::lround(255.0 * level)));
             }
         }
     }
