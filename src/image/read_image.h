@@ -1,5 +1,5 @@
-// Pictures from files and from memory: PNGs and JPEGs directly, others through OpenImageIO, which is
-// loaded on first use.
+// Pictures from files and from memory: PNGs and JPEGs directly, others through OpenImageIO, which
+// is loaded on first use.
 #pragma once
 
 #include <cstddef>
