@@ -316,7 +316,9 @@ void render(RenderOptions& options) {
     }
     const GlCounters before = glCounters();
     Clock::time_point start = Clock::now();
+    std::optional<Progress> uploading(std::in_place, "uploading");
     Renderer renderer(loaded.scene, cache ? &*cache : nullptr);
+    uploading.reset();
     letGoOfSurfacePictures(loaded.scene);
     double uploadMs = msSince(start);
     while (ahead.takePictures(loaded)) {
