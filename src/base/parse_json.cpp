@@ -184,7 +184,8 @@ nlohmann::json treeOf(const simdjson::dom::element& root, const JsonShortcut& sh
 std::optional<nlohmann::json> parseFast(std::string_view text, const JsonShortcut& shortcut) {
     simdjson::dom::parser parser;
     simdjson::dom::element root;
-    if (parser.parse(text.data(), text.size()).get(root) != simdjson::SUCCESS) {
+    // Of an empty text simdjson copies nothing from nowhere, which is undefined.
+    if (text.empty() || parser.parse(text.data(), text.size()).get(root) != simdjson::SUCCESS) {
         return std::nullopt;
     }
     return treeOf(root, shortcut);

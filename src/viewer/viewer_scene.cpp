@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/freed_memory.h"
 #include "viewer/paths.h"
 #include "viewer/viewer_loop.h"
 
@@ -66,6 +67,7 @@ void Viewer::takeLoaded() {
 }
 
 void Viewer::tellOfEnd(const BackgroundLoader::End& end) {
+    returnFreedMemory();
     if (stage_ && stage_->path() == end.path && !isComplete_) {
         isComplete_ = true;
         if (stats_.scenesLoaded == 1) {

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "base/freed_memory.h"
 #include "base/log.h"
 #include "compare_command.h"
 #include "inspect_command.h"
@@ -98,6 +99,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    ribalta::keepFreedMemory();
     ribalta::prepareProcess();
     try {
         return run(argc, argv);

@@ -18,6 +18,7 @@
 
 #include "animation_options.h"
 #include "base/error.h"
+#include "base/freed_memory.h"
 #include "base/log.h"
 #include "base/progress.h"
 #include "beam_options.h"
@@ -330,6 +331,7 @@ void render(RenderOptions& options) {
     const std::uint64_t uploadedBytes = glCounters().bytesAllocated - before.bytesAllocated;
 
     if (frames) {
+        returnFreedMemory();
         renderFrames({loaded.scene, renderer, camera, settings, outputs, *frames,
                       options.animation.chosen(loaded.scene, look.time), options.animation.fresh,
                       newestOf(loaded.files), [&](Scene& scene) { broughtLook.bring(scene); }});

@@ -184,6 +184,10 @@ TEST(ParseJson, AgreesOnOddTexts) {
     }
 }
 
+TEST(ParseJson, RefusesNoText) {
+    EXPECT_THROW(parseJson(std::string_view(), kFile, kKind), Error);
+}
+
 TEST(ParseJson, SaysBeforehandWhatATextTakes) {
     std::uint64_t told = 0;
     JsonLimits limits;
