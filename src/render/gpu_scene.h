@@ -2,7 +2,6 @@
 // nothing of cameras and frames.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -10,17 +9,12 @@
 #include "gl/buffer.h"
 #include "gl/sampler.h"
 #include "gl/texture.h"
+#include "render/describe_material.h"
 #include "render/draw_list.h"
+#include "render/gpu_geometry.h"
 #include "scene/scene.h"
 
 namespace ribalta {
-
-inline void deleteVertexArray(GLuint name) {
-    glDeleteVertexArrays(1, &name);
-}
-
-/// Vertices at such multiples start where shaders may be shown a part of a buffer.
-inline constexpr std::size_t kDeformedAlignment = 64;
 
 class GpuScene {
   public:
@@ -28,34 +22,7 @@ class GpuScene {
     /// kept.
     explicit GpuScene(const Scene& scene);
 
-    /// Where a primitive's geometry lies in the shared buffers.
-    struct Geometry {
-        GLenum mode = GL_TRIANGLES;
-        GLsizei indexCount = 0;
-        std::size_t indexOffset = 0;  ///< bytes
-        GLint baseVertex = 0;
-    };
-
-    const Geometry& geometry(const DrawItem& item) const {
-        const auto own = deformedGeometry_.find(item.node);
-        const std::vector<Geometry>& list =
-            own == deformedGeometry_.end() ? geometry_[std::size_t(item.mesh)] : own->second;
-        return list[std::size_t(item.primitive)];
-    }
-    /// Where the vertices of a deformed node's primitives lie; baseVertex is a multiple of
-    /// kDeformedAlignment.
-    const std::vector<Geometry>& deformedGeometry(int node) const {
-        return deformedGeometry_.at(node);
-    }
-    /// Positions, three floats each, and kAttributeFloats a vertex: what deformation writes.
-    const Buffer& positions() const { return positions_; }
-    const Buffer& attributes() const { return attributes_; }
-    /// The vertex arrays of surfaces and of what casts shadows, over a list of gpu::SurfaceInstance
-    /// or gpu::CasterInstance, which must outlive the draws.
-    GLuint surfacesAt(const Buffer& instances) const;
-    GLuint castersAt(const Buffer& instances) const;
-    /// Draws an item's geometry at `count` places of that list, from the `first` on.
-    void drawInstances(const DrawItem& item, std::size_t first, std::size_t count) const;
+    const GpuGeometry& geometry() const { return geometry_; }
     /// Whether it is drawn with layers (MaterialLayers), which bindMaterial binds.
     bool hasLayers(const DrawItem& item) const {
         return layerIndices_[std::size_t(materialIndex(item))] >= 0;
@@ -85,19 +52,12 @@ class GpuScene {
     int materialIndex(const DrawItem& item) const {
         return item.material < 0 ? defaultMaterial_ : item.material;
     }
-    void uploadGeometry(const Scene& scene);
     void uploadMaterials(const Scene& scene);
     void useTexture(const Scene& scene, const TextureSlot& slot, bool colors);
     /// Whether the picture of a material's slot, of colours or not, is there.
-    std::function<bool(const TextureSlot&, bool)> isUploadedOf(const Scene& scene) const;
+    IsUploaded isUploadedOf(const Scene& scene) const;
 
-    std::vector<std::vector<Geometry>> geometry_;            ///< by mesh and primitive
-    std::map<int, std::vector<Geometry>> deformedGeometry_;  ///< by node and primitive
-    Handle<deleteVertexArray> surfaceArray_;
-    Handle<deleteVertexArray> casterArray_;
-    Buffer positions_;
-    Buffer attributes_;
-    Buffer indices_;
+    GpuGeometry geometry_;
     Buffer materials_;
     Buffer layers_;                  ///< of those materials that have any
     std::vector<int> layerIndices_;  ///< by material index; -1 without

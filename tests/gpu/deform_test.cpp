@@ -106,11 +106,12 @@ class Deform : public GpuTest {};
 // The vertices of a deformer's only primitive, as they lie in the buffers that are drawn.
 DeformedVertices readVertices(const GpuScene& gpuScene, const Deformer& deformer,
                               std::size_t count) {
-    std::vector<float> positions(gpuScene.positions().size() / sizeof(float));
-    std::vector<float> attributes(gpuScene.attributes().size() / sizeof(float));
-    gpuScene.positions().read(std::as_writable_bytes(std::span(positions)));
-    gpuScene.attributes().read(std::as_writable_bytes(std::span(attributes)));
-    const auto first = std::size_t(gpuScene.deformedGeometry(deformer.node).at(0).baseVertex);
+    std::vector<float> positions(gpuScene.geometry().positions().size() / sizeof(float));
+    std::vector<float> attributes(gpuScene.geometry().attributes().size() / sizeof(float));
+    gpuScene.geometry().positions().read(std::as_writable_bytes(std::span(positions)));
+    gpuScene.geometry().attributes().read(std::as_writable_bytes(std::span(attributes)));
+    const auto first =
+        std::size_t(gpuScene.geometry().deformedParts(deformer.node).at(0).baseVertex);
     DeformedVertices result;
     for (std::size_t v = first; v < first + count; ++v) {
         const float* p = &positions[3 * v];

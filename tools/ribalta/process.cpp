@@ -3,10 +3,16 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "base/error.h"
@@ -47,6 +53,28 @@ void prepareProcess() {
         sigemptyset(&action.sa_mask);
         sigaction(number, &action, nullptr);
     }
+}
+
+double processMs() {
+    std::ifstream file("/proc/self/stat");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    // The program's name, in brackets, may hold spaces; the start stands 20 words behind it
+    // (proc(5)), in the kernel's ticks since the system's.
+    std::istringstream words(text.substr(text.rfind(')') + 1));
+    std::string word;
+    for (int i = 0; i < 20; ++i) {
+        words >> word;
+    }
+    timespec now{};
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec) -
+           1e3 * std::strtod(word.c_str(), nullptr) / double(sysconf(_SC_CLK_TCK));
+}
+
+std::uint64_t peakMemoryBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::uint64_t(usage.ru_maxrss) * 1024;
 }
 
 void finishStdout() {

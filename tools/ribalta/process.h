@@ -1,5 +1,8 @@
-// The command as a process: its signals and standard streams. Knows nothing of pictures.
+// The command as a process: its signals and standard streams, its time and memory. Knows nothing of
+// pictures.
 #pragma once
+
+#include <cstdint>
 
 namespace ribalta {
 
@@ -7,6 +10,12 @@ namespace ribalta {
 /// file takes its number; a file size limit becomes a failed write; interrupts, and a reader that
 /// goes away, end the process as usual, but leave no temporary file behind.
 void prepareProcess();
+
+/// Wall time since the process was started, in ms, to a hundredth of a second.
+double processMs();
+
+/// The most memory it has had, in bytes.
+std::uint64_t peakMemoryBytes();
 
 /// Throws Error(kJobFailed) where what went to stdout was not all written.
 void finishStdout();

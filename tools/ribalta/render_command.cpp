@@ -2,19 +2,11 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <ctime>
-#include <exception>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include "animation_options.h"
 #include "base/error.h"
@@ -23,8 +15,8 @@
 #include "base/progress.h"
 #include "beam_options.h"
 #include "cache_options.h"
+#include "early_context.h"
 #include "frame_files.h"
-#include "gl/context.h"
 #include "gl/counters.h"
 #include "haze_options.h"
 #include "load_scene.h"
@@ -32,6 +24,7 @@
 #include "look_options.h"
 #include "options.h"
 #include "output_checks.h"
+#include "process.h"
 #include "render/renderer.h"
 #include "render_frames.h"
 #include "render_outputs.h"
@@ -46,37 +39,6 @@ using Clock = std::chrono::steady_clock;
 double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
-
-// OpenGL, started while the scene is read. What is wrong with the scene goes before what is wrong
-// with OpenGL, so that this is said when it is asked for.
-class EarlyContext {
-  public:
-    EarlyContext() {
-        const Clock::time_point start = Clock::now();
-        try {
-            context_.emplace();
-        } catch (const Error&) {
-            fault_ = std::current_exception();
-        }
-        ms_ = msSince(start);
-    }
-
-    // Throws Error(kNoOpenGL).
-    const Context& get() const {
-        if (!context_) {
-            std::rethrow_exception(fault_);
-        }
-        logVerbose("OpenGL: " + context_->renderer() + ", " + context_->version() +
-                   (context_->isSoftware() ? " (software; no GPU found)" : ""));
-        return *context_;
-    }
-    double ms() const { return ms_; }
-
-  private:
-    std::optional<Context> context_;
-    std::exception_ptr fault_;
-    double ms_ = 0.0;
-};
 
 struct RenderOptions {
     std::string scene;
@@ -127,23 +89,6 @@ FrameSettings settingsFrom(const RenderOptions& options, const Look& look,
     return settings;
 }
 
-// To the kernel's own precision, a hundredth of a second.
-double msSinceProcessStart() {
-    std::ifstream file("/proc/self/stat");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    // The program's name, in brackets, may hold spaces; the start stands 20 words behind it
-    // (proc(5)), in ticks since the system's.
-    std::istringstream words(text.substr(text.rfind(')') + 1));
-    std::string word;
-    for (int i = 0; i < 20; ++i) {
-        words >> word;
-    }
-    timespec now{};
-    clock_gettime(CLOCK_BOOTTIME, &now);
-    return 1e3 * double(now.tv_sec) + 1e-6 * double(now.tv_nsec) -
-           1e3 * std::strtod(word.c_str(), nullptr) / double(sysconf(_SC_CLK_TCK));
-}
-
 // Those that lamps project are uploaded again where their number changes.
 void letGoOfSurfacePictures(Scene& scene) {
     std::set<int> projected;
@@ -157,12 +102,6 @@ void letGoOfSurfacePictures(Scene& scene) {
             scene.images[i].pixels = {};
         }
     }
-}
-
-std::uint64_t peakMemory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return std::uint64_t(usage.ru_maxrss) * 1024;
 }
 
 RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& camera,
@@ -194,7 +133,7 @@ RenderStats drawFrames(Renderer& renderer, const Scene& scene, const Camera& cam
         }
         if (i == 0) {
             stats.plan = plan.describe();
-            stats.firstPixelMs = msSinceProcessStart();
+            stats.firstPixelMs = processMs();
         }
         stats.framesKept += plan.kept ? 1 : 0;
         progress.step();
@@ -346,7 +285,7 @@ void render(RenderOptions& options) {
     stats.load.push_back({"upload", uploadMs});
     stats.load.push_back({"shaders", glCounters().programsMs - before.programsMs});
     stats.uploadedBytes = uploadedBytes;
-    stats.peakBytes = peakMemory();
+    stats.peakBytes = peakMemoryBytes();
 
     if (!options.stats.empty()) {
         stats.samples = renderer.beamSamples();

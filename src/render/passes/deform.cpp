@@ -142,15 +142,15 @@ std::vector<DeformPass::Job> DeformPass::upload(const std::vector<int>& deformer
     for (const int index : deformers) {
         const Deformer& deformer = scene.deformers[std::size_t(index)];
         const int mesh = scene.nodes[std::size_t(deformer.node)].mesh;
-        const auto& geometry = gpuScene.deformedGeometry(deformer.node);
+        const auto& parts = gpuScene.geometry().deformedParts(deformer.node);
         const std::size_t firstJoint = appendAligned(deformer.localFromMesh, joints);
         const std::size_t jointBytes = joints.size() - firstJoint;
-        for (std::size_t p = 0; p < geometry.size(); ++p) {
+        for (std::size_t p = 0; p < parts.size(); ++p) {
             const Source& source = sourceOf(scene, mesh, p);
             const std::vector<gpu::ActiveTarget> targets = activeTargets(deformer, source.starts);
             const std::size_t firstTarget = appendAligned(targets, active);
             const Primitive& primitive = scene.meshes[std::size_t(mesh)].primitives[p];
-            jobs.push_back({&primitive, &source, std::size_t(geometry[p].baseVertex), firstJoint,
+            jobs.push_back({&primitive, &source, std::size_t(parts[p].baseVertex), firstJoint,
                             jointBytes, firstTarget, active.size() - firstTarget});
             descriptions.push_back(describe(primitive, deformer, targets.size()));
         }
@@ -170,10 +170,10 @@ void DeformPass::bind(const Job& job, const GpuScene& gpuScene) const {
     bindAll(gpu::kDeformTargetsSlot, job.source->displacements);
     bindPart(gpu::kDeformJointsSlot, joints_, job.joints, job.jointBytes);
     bindPart(gpu::kDeformActiveSlot, active_, job.active, job.activeBytes);
-    bindPart(gpu::kDeformPositionsSlot, gpuScene.positions(), job.firstVertex * kPositionBytes,
-             vertices * kPositionBytes);
-    bindPart(gpu::kDeformAttributesSlot, gpuScene.attributes(), job.firstVertex * kAttributeBytes,
-             vertices * kAttributeBytes);
+    bindPart(gpu::kDeformPositionsSlot, gpuScene.geometry().positions(),
+             job.firstVertex * kPositionBytes, vertices * kPositionBytes);
+    bindPart(gpu::kDeformAttributesSlot, gpuScene.geometry().attributes(),
+             job.firstVertex * kAttributeBytes, vertices * kAttributeBytes);
 }
 
 void DeformPass::draw(const std::vector<int>& deformers, const Scene& scene,

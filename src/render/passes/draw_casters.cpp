@@ -28,7 +28,7 @@ void DrawCasters::draw(const std::vector<CasterLayer>& layers, const Scene& scen
         }
     }
     instances_.write("casters", bytesOf(instances));
-    const GLuint vertexArray = gpuScene.castersAt(instances_);
+    const GLuint vertexArray = gpuScene.geometry().castersAt(instances_);
     std::size_t firstInstance = 0;
     for (const CasterLayer& layer : layers) {
         drawLayer(layer, firstInstance, scene, draws, gpuScene, vertexArray);
@@ -69,7 +69,7 @@ void DrawCasters::drawLayer(const CasterLayer& layer, std::size_t firstInstance,
         if (mask) {
             gpuScene.bindMaterial(scene, item);
         }
-        gpuScene.drawInstances(item, firstInstance + first, end - first);
+        gpuScene.geometry().drawInstances(item, firstInstance + first, end - first);
     }
 }
 

@@ -82,7 +82,7 @@ void ForwardPass::drawRun(const Scene& scene, const FramePlan& plan, const GpuSc
     apply(state);
 
     gpuScene.bindMaterial(scene, item);
-    gpuScene.drawInstances(item, run.firstInstance, run.instances);
+    gpuScene.geometry().drawInstances(item, run.firstInstance, run.instances);
 }
 
 void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FramePlan& plan,
@@ -92,7 +92,7 @@ void ForwardPass::draw(const ForwardWork& work, const Scene& scene, const FrameP
     glEnable(GL_PROGRAM_POINT_SIZE);
     glBindTextureUnit(gpu::kShadowMapsUnit, shadowMaps.name());
     glBindTextureUnit(gpu::kLightMapsUnit, gpuScene.lightMaps().name());
-    const GLuint vertexArray = gpuScene.surfacesAt(frame.surfaces());
+    const GLuint vertexArray = gpuScene.geometry().surfacesAt(frame.surfaces());
     std::size_t before = 0;  // instances of the lists drawn so far
     for (const auto* list : {&work.opaque, &work.blended}) {
         const bool blended = list == &work.blended;
